@@ -1,0 +1,51 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "base/error.hpp"
+#include "base/settings.hpp"
+
+namespace ddtool {
+
+/// One sub-command of ddtool. A file each; main holds the table of them.
+class Command {
+public:
+    Command(std::string name, std::string summary, std::string example);
+    virtual ~Command() = default;
+    Command(const Command&) = delete;
+    Command& operator=(const Command&) = delete;
+
+    /// Adds the sub-command with its own options and those every command has (--config, --set).
+    void declare(CLI::App& program);
+    [[nodiscard]] bool chosen() const { return app_->parsed(); }
+    /// Merges defaults, --config, --set and bound options, in that order, then runs.
+    ExitCode execute();
+
+protected:
+    virtual void add_options(CLI::App& app) = 0;
+    /// Every setting the command knows, with its default.
+    [[nodiscard]] virtual Json default_settings() const { return Json::object(); }
+    virtual ExitCode run(const Json& settings) = 0;
+
+    /// A command-line option that is short for --set path=VALUE.
+    void bind_option(CLI::App& app, const std::string& option, const std::string& path, const std::string& help);
+
+private:
+    [[nodiscard]] Json effective_settings() const;
+
+    std::string name_;
+    std::string summary_;
+    std::string example_;
+    CLI::App* app_ = nullptr;
+    std::vector<std::string> config_files_;
+    std::vector<std::string> assignments_;
+    std::map<std::string, std::string> bound_values_;  ///< by settings path
+};
+
+using CommandTable = std::vector<std::unique_ptr<Command>>;
+
+}  // namespace ddtool

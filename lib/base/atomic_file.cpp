@@ -1,0 +1,79 @@
+#include "base/atomic_file.hpp"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <utility>
+
+#include "base/error.hpp"
+
+namespace ddtool {
+namespace {
+
+[[noreturn]] void fail(const std::filesystem::path& path, const char* doing) {
+    throw Error(path.string() + ": cannot " + doing + ": " + std::strerror(errno));
+}
+
+void sync_to_disk(const std::filesystem::path& path) {
+    const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+    if (file < 0) {
+        fail(path, "open");
+    }
+    const int result = ::fsync(file);
+    ::close(file);
+    if (result != 0) {
+        fail(path, "write");
+    }
+}
+
+}  // namespace
+
+AtomicFile::AtomicFile(std::filesystem::path path) : path_(std::move(path)), part_(path_.string() + ".part") {}
+
+AtomicFile::~AtomicFile() {
+    std::error_code ignored;
+    std::filesystem::remove(part_, ignored);
+}
+
+void AtomicFile::commit() {
+    sync_to_disk(part_);
+    if (::rename(part_.c_str(), path_.c_str()) != 0) {
+        fail(path_, "rename its .part to it");
+    }
+}
+
+void write_file(const std::filesystem::path& path, const std::function<void(std::ostream&)>& write) {
+    AtomicFile file(path);
+    errno = 0;
+    std::ofstream stream(file.part(), std::ios::binary);
+    if (!stream) {
+        fail(path, "create");
+    }
+    write(stream);
+    stream.close();
+    if (!stream) {
+        fail(path, "write");
+    }
+    file.commit();
+}
+
+void write_file(const std::filesystem::path& path, std::string_view content) {
+    write_file(path,
+               [&](std::ostream& out) { out.write(content.data(), static_cast<std::streamsize>(content.size())); });
+}
+
+std::string read_file(const std::filesystem::path& path) {
+    errno = 0;
+    std::ifstream stream(path, std::ios::binary);
+    if (!stream || std::filesystem::is_directory(path)) {
+        fail(path, "read");
+    }
+    return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+}
+
+}  // namespace ddtool

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <iosfwd>
+#include <string_view>
+
+namespace ddtool {
+
+/// A file that appears under its name only when it is whole: written beside as NAME.part, flushed, then renamed.
+/// Destroyed without commit(), the part is removed and an older file of that name stays as it was.
+class AtomicFile {
+public:
+    explicit AtomicFile(std::filesystem::path path);
+    ~AtomicFile();
+    AtomicFile(const AtomicFile&) = delete;
+    AtomicFile& operator=(const AtomicFile&) = delete;
+
+    /// Where to write until commit(). Not yet created.
+    [[nodiscard]] const std::filesystem::path& part() const { return part_; }
+    /// Syncs the part to disk and renames it. Throws Error naming the file and the system's reason.
+    void commit();
+
+private:
+    std::filesystem::path path_;
+    std::filesystem::path part_;
+};
+
+/// Writes a whole file through AtomicFile. Throws Error when it cannot (full disk, read-only folder).
+void write_file(const std::filesystem::path& path, const std::function<void(std::ostream&)>& write);
+void write_file(const std::filesystem::path& path, std::string_view content);
+
+/// The whole file as bytes. Throws Error naming the file and the system's reason.
+std::string read_file(const std::filesystem::path& path);
+
+}  // namespace ddtool

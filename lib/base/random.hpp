@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstdint>
+#include <initializer_list>
+#include <limits>
+
+namespace ddtool {
+
+/// SplitMix64 (Steele, Lea, Flood 2014, "Fast splittable pseudorandom number generators"): eight bytes of state, so a
+/// stream for every (seed, step, particle) costs nothing and results do not depend on the number of threads.
+/// Satisfies UniformRandomBitGenerator; distributions are here too, since the standard's differ between libraries.
+class RandomStream {
+public:
+    using result_type = std::uint64_t;
+
+    /// The stream named by the keys, in order: e.g. {seed, step, particle}.
+    RandomStream(std::initializer_list<std::uint64_t> keys);
+
+    static constexpr result_type min() { return 0; }
+    static constexpr result_type max() { return std::numeric_limits<result_type>::max(); }
+    result_type operator()();
+
+    /// Uniform in [0, 1).
+    double uniform();
+    double uniform(double low, double high) { return low + (high - low) * uniform(); }
+    /// Uniform in 0..count-1; count > 0.
+    std::uint64_t index(std::uint64_t count);
+    /// Standard normal (Box-Muller; two uniforms a call, nothing kept, so streams stay comparable).
+    double normal();
+
+private:
+    std::uint64_t state_ = 0;
+};
+
+}  // namespace ddtool

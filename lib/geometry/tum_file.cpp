@@ -1,0 +1,114 @@
+#include "geometry/tum_file.hpp"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <optional>
+#include <ostream>
+#include <string>
+#include <string_view>
+
+#include "base/atomic_file.hpp"
+#include "base/error.hpp"
+
+namespace ddtool {
+namespace {
+
+constexpr std::int64_t ns_per_s = 1'000'000'000;
+
+std::string_view next_word(std::string_view& line) {
+    const std::size_t begin = std::min(line.find_first_not_of(" \t\r,"), line.size());
+    const std::size_t end = std::min(line.find_first_of(" \t\r,", begin), line.size());
+    const std::string_view word = line.substr(begin, end - begin);
+    line.remove_prefix(end);
+    return word;
+}
+
+/// Whole seconds and fraction are read apart: a double has no room for nanoseconds since 1970.
+std::optional<std::int64_t> parse_stamp(std::string_view word) {
+    std::int64_t seconds = 0;
+    const auto [end, error] = std::from_chars(word.begin(), word.end(), seconds);
+    if (error != std::errc() || seconds > 9'000'000'000 || seconds < -9'000'000'000) {
+        return std::nullopt;
+    }
+    double fraction = 0.0;
+    if (end != word.end()) {
+        const auto [last, fraction_error] = std::from_chars(end, word.end(), fraction);
+        if (fraction_error != std::errc() || last != word.end() || !(std::abs(fraction) < 1.0)) {
+            return std::nullopt;
+        }
+    }
+    const auto fraction_ns = static_cast<std::int64_t>(std::llround(fraction * 1e9));
+    return seconds * ns_per_s + (word.front() == '-' ? -fraction_ns : fraction_ns);
+}
+
+std::optional<double> parse_number(std::string_view word) {
+    double value = 0.0;
+    const auto [end, error] = std::from_chars(word.begin(), word.end(), value);
+    if (error != std::errc() || end != word.end() || !std::isfinite(value)) {
+        return std::nullopt;
+    }
+    return value;
+}
+
+std::optional<StampedPose> parse_line(std::string_view line) {
+    const std::optional<std::int64_t> stamp = parse_stamp(next_word(line));
+    std::array<double, 7> values{};
+    for (double& value : values) {
+        const std::optional<double> number = parse_number(next_word(line));
+        if (!number) {
+            return std::nullopt;
+        }
+        value = *number;
+    }
+    if (!stamp || !next_word(line).empty()) {
+        return std::nullopt;
+    }
+    const auto [x, y, z, qx, qy, qz, qw] = values;
+    const double yaw = std::atan2(2.0 * (qw * qz + qx * qy), 1.0 - 2.0 * (qy * qy + qz * qz));
+    return StampedPose{*stamp, {x, y, yaw}};
+}
+
+}  // namespace
+
+Trajectory read_tum(const std::filesystem::path& path) {
+    std::ifstream file(path);
+    if (!file) {
+        throw Error(path.string() + ": cannot open");
+    }
+    Trajectory trajectory;
+    std::string line;
+    for (std::size_t number = 1; std::getline(file, line); ++number) {
+        const std::size_t first = line.find_first_not_of(" \t\r");
+        if (first == std::string::npos || line[first] == '#') {
+            continue;
+        }
+        const std::optional<StampedPose> pose = parse_line(line);
+        if (!pose) {
+            throw Error(path.string() + ":" + std::to_string(number) +
+                        ": expected eight numbers 'stamp x y z qx qy qz qw' (TUM)");
+        }
+        trajectory.push_back(*pose);
+    }
+    return trajectory;
+}
+
+void write_tum(const std::filesystem::path& path, const Trajectory& trajectory) {
+    write_file(path, [&](std::ostream& out) {
+        out << "# stamp_s x_m y_m z_m qx qy qz qw\n";
+        for (const StampedPose& stamped : trajectory) {
+            const Pose2& pose = stamped.pose;
+            const std::int64_t below = stamped.stamp_ns < 0 ? -stamped.stamp_ns : stamped.stamp_ns;
+            std::array<char, 256> text{};
+            std::snprintf(text.data(), text.size(), "%s%lld.%09lld %.6f %.6f 0 0 0 %.9f %.9f\n",
+                          stamped.stamp_ns < 0 ? "-" : "", static_cast<long long>(below / ns_per_s),
+                          static_cast<long long>(below % ns_per_s), pose.x_m, pose.y_m, std::sin(pose.theta_rad / 2.0),
+                          std::cos(pose.theta_rad / 2.0));
+            out << text.data();
+        }
+    });
+}
+
+}  // namespace ddtool

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace ddtool {
+
+/// One turn of a 2-D lidar. Beam i points at angle_min_rad + i * angle_increment_rad, counter-clockwise from the
+/// laser's x axis; the increment is negative for a lidar that turns (or is mounted) the other way round.
+struct LaserScan {
+    /// The beam went out and nothing came back: free up to range_max_m.
+    static constexpr float no_return = std::numeric_limits<float>::infinity();
+    /// The beam says nothing (error, or an echo nearer than range_min_m).
+    static constexpr float invalid = std::numeric_limits<float>::quiet_NaN();
+
+    std::int64_t stamp_ns = 0;  ///< of the first beam
+    double angle_min_rad = 0.0;
+    double angle_increment_rad = 0.0;
+    double time_increment_s = 0.0;  ///< between beams; 0 where unknown
+    double range_min_m = 0.0;
+    double range_max_m = 0.0;
+    /// Each is a range within [range_min_m, range_max_m], no_return or invalid.
+    std::vector<float> ranges_m;
+
+    [[nodiscard]] double angle_rad(std::size_t beam) const {
+        return angle_min_rad + static_cast<double>(beam) * angle_increment_rad;
+    }
+};
+
+/// Brings raw ranges to the form above, as sensor_msgs/msg/LaserScan and REP 117 define them: +inf and values above
+/// range_max_m are no return; NaN, -inf, and values below range_min_m (0 among them) are invalid.
+void normalise_ranges(LaserScan& scan);
+
+}  // namespace ddtool
