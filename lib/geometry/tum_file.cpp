@@ -1,7 +1,6 @@
 #include "geometry/tum_file.hpp"
 
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <fstream>
@@ -12,46 +11,12 @@
 
 #include "base/atomic_file.hpp"
 #include "base/error.hpp"
+#include "base/text.hpp"
 
 namespace ddtool {
 namespace {
 
 constexpr std::int64_t ns_per_s = 1'000'000'000;
-
-std::string_view next_word(std::string_view& line) {
-    const std::size_t begin = std::min(line.find_first_not_of(" \t\r,"), line.size());
-    const std::size_t end = std::min(line.find_first_of(" \t\r,", begin), line.size());
-    const std::string_view word = line.substr(begin, end - begin);
-    line.remove_prefix(end);
-    return word;
-}
-
-/// Whole seconds and fraction are read apart: a double has no room for nanoseconds since 1970.
-std::optional<std::int64_t> parse_stamp(std::string_view word) {
-    std::int64_t seconds = 0;
-    const auto [end, error] = std::from_chars(word.begin(), word.end(), seconds);
-    if (error != std::errc() || seconds > 9'000'000'000 || seconds < -9'000'000'000) {
-        return std::nullopt;
-    }
-    double fraction = 0.0;
-    if (end != word.end()) {
-        const auto [last, fraction_error] = std::from_chars(end, word.end(), fraction);
-        if (fraction_error != std::errc() || last != word.end() || !(std::abs(fraction) < 1.0)) {
-            return std::nullopt;
-        }
-    }
-    const auto fraction_ns = static_cast<std::int64_t>(std::llround(fraction * 1e9));
-    return seconds * ns_per_s + (word.front() == '-' ? -fraction_ns : fraction_ns);
-}
-
-std::optional<double> parse_number(std::string_view word) {
-    double value = 0.0;
-    const auto [end, error] = std::from_chars(word.begin(), word.end(), value);
-    if (error != std::errc() || end != word.end() || !std::isfinite(value)) {
-        return std::nullopt;
-    }
-    return value;
-}
 
 std::optional<StampedPose> parse_line(std::string_view line) {
     const std::optional<std::int64_t> stamp = parse_stamp(next_word(line));
