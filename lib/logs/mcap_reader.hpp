@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "logs/byte_source.hpp"
+#include "logs/log_problem.hpp"
+#include "logs/mcap_definitions.hpp"
+#include "logs/mcap_types.hpp"
+
+namespace ddtool {
+
+/// Reads the messages of an MCAP file (https://mcap.dev/spec) in the file's order, forward only, holding one chunk at a
+/// time. Chunked or not, lz4 or zstd, with or without index and summary; every CRC that is there is checked.
+/// Damage goes to the handler and reading continues where the next record is known to start: a damaged chunk is
+/// skipped, a chunk that is cut off gives the messages before the cut.
+class McapReader {
+public:
+    /// No chunk or record that must be held in memory may be larger.
+    static constexpr std::uint64_t max_held_bytes = std::uint64_t{1} << 30;
+
+    /// Throws Error when the source cannot be read or is not an MCAP file, saying what it looks like.
+    McapReader(ByteSource source, LogProblemHandler on_problem);
+    McapReader(const std::filesystem::path& path, LogProblemHandler on_problem);
+
+    /// The next message; none at the end.
+    std::optional<McapMessage> next();
+    /// Share of the file read, 0..1; 0 where its length is unknown (a pipe).
+    [[nodiscard]] double fraction_read() const { return source_.fraction_read(); }
+
+private:
+    ByteSource source_;
+    LogProblemHandler on_problem_;
+    McapDefinitions definitions_;
+};
+
+}  // namespace ddtool
