@@ -1,0 +1,147 @@
+#include "logs/carmen_stream.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "base/atomic_file.hpp"
+#include "base/error.hpp"
+#include "compressed_text.hpp"
+#include "temporary_folder.hpp"
+
+namespace ddtool {
+namespace {
+
+std::string flaser(const std::string& ranges, double x, const std::string& time) {
+    return "FLASER 3 " + ranges + " 0 0 0 " + std::to_string(x) + " 0 0 " + time + " host 0.0\n";
+}
+
+const std::string offset_param = "PARAM robot_frontlaser_offset 0.25 host 0\n";
+
+class CarmenLog : public testing::Test {
+protected:
+    std::unique_ptr<LogStream> open(const std::string& content, const LogOptions& options = {}) {
+        write_file(folder_ / "log", content);
+        return open_log(folder_ / "log", options, [this](const LogProblem& problem) { problems_.push_back(problem); });
+    }
+    std::vector<SensorFrame> read(LogStream& stream) {
+        std::vector<SensorFrame> frames;
+        while (auto frame = stream.next()) {
+            frames.push_back(std::move(*frame));
+        }
+        return frames;
+    }
+    std::vector<SensorFrame> read(const std::string& content) { return read(*open(content)); }
+
+    test::TemporaryFolder folder_;
+    std::vector<LogProblem> problems_;
+};
+
+TEST_F(CarmenLog, KeepsTheOrderOfTheFileWhereStampsStepBack) {
+    const auto frames = read(flaser("1 2 3", 0.0, "10.0") + flaser("1 2 3", 0.1, "9.5") + flaser("1 2 3", 0.2, "11.0"));
+    ASSERT_EQ(frames.size(), 3U);
+    EXPECT_EQ(frames[1].scan.stamp_ns, 9'500'000'000);
+    EXPECT_DOUBLE_EQ(frames[1].odom_from_robot.x_m, 0.1);
+    EXPECT_DOUBLE_EQ(frames[2].odom_from_robot.x_m, 0.2);
+}
+
+TEST_F(CarmenLog, IsTheSameCompressed) {
+    const std::string text = offset_param + flaser("1 2 81.83", 0.0, "10.0") + flaser("3 4 5", 0.1, "10.2");
+    for (const auto pack : {test::plain, test::gzip, test::bzip2}) {
+        const auto frames = read(pack(text));
+        ASSERT_EQ(frames.size(), 2U);
+        EXPECT_EQ(frames[0].robot_from_laser, (Pose2{0.25, 0.0, 0.0}));
+        EXPECT_TRUE(std::isinf(frames[0].scan.ranges_m[2]));
+        EXPECT_EQ(frames[1].scan.ranges_m, (std::vector<float>{3, 4, 5}));
+    }
+    EXPECT_TRUE(problems_.empty());
+}
+
+TEST_F(CarmenLog, ReadingsFromAStatedMaximumOnAreNoReturn) {
+    const auto frames = read("PARAM robot_front_laser_max 5.0 host 0\n" + flaser("0 4.99 5.0", 0.0, "1.0"));
+    EXPECT_TRUE(std::isnan(frames[0].scan.ranges_m[0]));
+    EXPECT_EQ(frames[0].scan.ranges_m[1], 4.99F);
+    EXPECT_EQ(frames[0].scan.ranges_m[2], LaserScan::no_return);
+    EXPECT_DOUBLE_EQ(frames[0].scan.range_max_m, 5.0);
+}
+
+TEST_F(CarmenLog, ARepeatedLargestReadingIsNoReturnFromTheFirstFrameOn) {
+    std::string text;
+    for (int i = 0; i < 20; ++i) {
+        text += flaser("1 2 8.191", 0.1 * i, std::to_string(i) + ".0");
+    }
+    const auto frames = read(text);
+    ASSERT_EQ(frames.size(), 20U);
+    EXPECT_EQ(frames[0].scan.ranges_m[2], LaserScan::no_return);
+    EXPECT_NEAR(frames[0].scan.range_max_m, 8.191, 1e-6);
+}
+
+TEST_F(CarmenLog, WithoutAnOffsetTheLaserIsAssumedAtTheOrigin) {
+    const auto stream = open(flaser("1 2 3", 0.0, "1.0"));
+    EXPECT_EQ(stream->next()->robot_from_laser, Pose2{});
+    EXPECT_EQ(stream->summary().assumptions.size(), 1U);
+    EXPECT_EQ(stream->summary().problems, 0U);
+}
+
+TEST_F(CarmenLog, AGivenLaserPoseWins) {
+    const Pose2 mounting{0.1, 0.2, 0.3};
+    const auto stream = open(offset_param + flaser("1 2 3", 0.0, "1.0"), {"", "", "", mounting});
+    EXPECT_EQ(stream->next()->robot_from_laser, mounting);
+}
+
+TEST_F(CarmenLog, SkipsDamagedLinesAndCountsThem) {
+    const auto stream = open(flaser("1 2 3", 0.0, "1.0") + "FLASER 3 1 2\nODOM x\n" + flaser("1 2 3", 0.0, "2.0"));
+    EXPECT_EQ(read(*stream).size(), 2U);
+    EXPECT_EQ(stream->summary().problems, 1U);
+    ASSERT_EQ(problems_.size(), 1U);
+    EXPECT_NE(problems_[0].what.find(":2:"), std::string::npos);
+}
+
+TEST_F(CarmenLog, UsesOneKindOfScanAndTheOneAskedFor) {
+    const std::string robotlaser = "ROBOTLASER1 0 -1 2 1 50 0 0 3 1 2 50 0 1.5 0 0 1 0 0 0 0 0 0 0 3.0 host 0\n";
+    const std::string text = flaser("1 2 3", 0.0, "1.0") + robotlaser + flaser("1 2 3", 0.0, "2.0");
+    EXPECT_EQ(read(text).size(), 2U);
+    const auto frames = read(*open(text, {"ROBOTLASER1", "", "", {}}));
+    ASSERT_EQ(frames.size(), 1U);
+    EXPECT_EQ(frames[0].robot_from_laser, (Pose2{0.5, 0.0, 0.0}));
+    EXPECT_EQ(frames[0].scan.ranges_m[2], LaserScan::no_return);
+}
+
+TEST_F(CarmenLog, RefusesOptionsItCannotMeet) {
+    const std::string text = flaser("1 2 3", 0.0, "1.0");
+    EXPECT_THROW(open(text, {"/scan", "", "", {}}), UsageError);
+    EXPECT_THROW(open(text, {"", "/odom", "", {}}), UsageError);
+    EXPECT_THROW(open(text, {"", "", "/gt", {}}), UsageError);
+}
+
+TEST_F(CarmenLog, WithoutScansIsAnErrorThatSaysWhatThereIs) {
+    EXPECT_THROW(open("ODOM 0 0 0 0 0 0 1.0 host 0\n")->next(), Error);
+    try {
+        open(flaser("1 2 3", 0.0, "1.0"), {"ROBOTLASER1", "", "", {}})->next();
+        FAIL();
+    } catch (const Error& error) {
+        EXPECT_NE(std::string(error.what()).find("FLASER"), std::string::npos);
+    }
+}
+
+TEST_F(CarmenLog, CutOffAnywhereNeverCrashes) {
+    const std::string text = offset_param + flaser("1 2 3", 0.0, "1.0") + flaser("1 2 3", 0.0, "2.0");
+    for (std::size_t length = 0; length < text.size(); ++length) {
+        try {
+            EXPECT_LE(read(text.substr(0, length)).size(), 2U);
+        } catch (const Error&) {
+            EXPECT_LT(length, text.rfind("FLASER")) << "the first scan was lost";
+        }
+    }
+}
+
+TEST_F(CarmenLog, OtherFilesAreRefusedInOneLine) {
+    for (const std::string content : {"", "hello\n",
+                                      "\x7f"
+                                      "ELF"}) {
+        EXPECT_THROW(open(content), Error);
+    }
+}
+
+}  // namespace
+}  // namespace ddtool
