@@ -3,6 +3,7 @@
 #include <exception>
 
 #include "command.hpp"
+#include "score_command.hpp"
 #include "version.hpp"
 
 namespace ddtool {
@@ -10,6 +11,7 @@ namespace {
 
 CommandTable all_commands() {
     CommandTable table;
+    table.push_back(std::make_unique<ScoreCommand>());
     return table;
 }
 

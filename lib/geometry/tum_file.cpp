@@ -3,14 +3,12 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <fstream>
 #include <optional>
 #include <ostream>
-#include <string>
 #include <string_view>
 
 #include "base/atomic_file.hpp"
-#include "base/error.hpp"
+#include "base/row_file.hpp"
 #include "base/text.hpp"
 
 namespace ddtool {
@@ -39,24 +37,14 @@ std::optional<StampedPose> parse_line(std::string_view line) {
 }  // namespace
 
 Trajectory read_tum(const std::filesystem::path& path) {
-    std::ifstream file(path);
-    if (!file) {
-        throw Error(path.string() + ": cannot open");
-    }
     Trajectory trajectory;
-    std::string line;
-    for (std::size_t number = 1; std::getline(file, line); ++number) {
-        const std::size_t first = line.find_first_not_of(" \t\r");
-        if (first == std::string::npos || line[first] == '#') {
-            continue;
-        }
+    for_each_row(path, "eight numbers 'stamp x y z qx qy qz qw' (TUM)", [&](std::string_view line) {
         const std::optional<StampedPose> pose = parse_line(line);
-        if (!pose) {
-            throw Error(path.string() + ":" + std::to_string(number) +
-                        ": expected eight numbers 'stamp x y z qx qy qz qw' (TUM)");
+        if (pose) {
+            trajectory.push_back(*pose);
         }
-        trajectory.push_back(*pose);
-    }
+        return pose.has_value();
+    });
     return trajectory;
 }
 

@@ -1,0 +1,95 @@
+#include "score_command.hpp"
+
+#include <cstdio>
+#include <iostream>
+
+#include "eval/trajectory_score.hpp"
+#include "geometry/tum_file.hpp"
+
+namespace ddtool {
+namespace {
+
+double time_tolerance_s(const Json& settings) {
+    const double tolerance_s = settings.at("max_time_difference_s");
+    if (!(tolerance_s >= 0.0)) {
+        throw UsageError("max_time_difference_s: expected a number of seconds, 0 or more");
+    }
+    return tolerance_s;
+}
+
+ScoreOptions score_options(const Json& settings) {
+    return {.ate = {.alignment = parse_alignment(settings.at("align").get<std::string>()),
+                    .max_time_difference_s = time_tolerance_s(settings)},
+            .rpe_delta = {.value = settings.at("rpe").at("delta"),
+                          .unit = parse_delta_unit(settings.at("rpe").at("unit").get<std::string>())}};
+}
+
+Trajectory read_poses(const std::string& file) {
+    Trajectory trajectory = read_tum(file);
+    if (trajectory.empty()) {
+        throw Error(file + ": no poses");
+    }
+    return trajectory;
+}
+
+RelationErrors read_and_score_relations(const Trajectory& trajectory, const std::string& file, double tolerance_s) {
+    const std::vector<Relation> relations = read_relations(file);
+    RelationErrors errors = score_relations(trajectory, relations, tolerance_s);
+    if (errors.skipped == relations.size()) {
+        throw Error(file + ": none of its " + std::to_string(relations.size()) +
+                    " relations has both times in the trajectory");
+    }
+    return errors;
+}
+
+}  // namespace
+
+ScoreCommand::ScoreCommand()
+    : Command("score", "Errors of a trajectory against the truth",
+              "ddtool score --trajectory out/trajectory.tum --reference truth.tum --plot errors.png") {}
+
+void ScoreCommand::add_options(CLI::App& app) {
+    app.add_option("--trajectory", trajectory_file_, "The estimate")->type_name("FILE.tum")->required();
+    auto* truth = app.add_option_group("truth", "One of these, or both");
+    truth->add_option("--reference", reference_file_, "True trajectory: ATE, RPE, Error_x, Error_y")
+        ->type_name("FILE.tum");
+    truth->add_option("--relations", relations_file_, "True relative poses: t1 t2 x y z roll pitch yaw a line")
+        ->type_name("FILE");
+    truth->require_option(1, 2);
+    app.add_flag("--json", as_json_, "Print JSON instead of a table");
+    bind_option(app, "--align", "align", "Motion granted to the estimate first: none, first or se2 [se2]");
+    bind_option(app, "--max-time-difference", "max_time_difference_s", "Stamps this close are one moment [0.01 s]");
+    bind_option(app, "--rpe-delta", "rpe.delta", "How far apart the two poses of an RPE motion are [1]");
+    bind_option(app, "--rpe-unit", "rpe.unit", "Of the RPE delta: frames, metres or seconds [frames]");
+}
+
+Json ScoreCommand::default_settings() const {
+    return {{"align", "se2"},
+            {"max_time_difference_s", default_max_time_difference_s},
+            {"rpe", {{"delta", 1.0}, {"unit", "frames"}}}};
+}
+
+ExitCode ScoreCommand::run(const Json& settings) {
+    const ScoreOptions options = score_options(settings);
+    const Trajectory estimate = read_poses(trajectory_file_);
+    TrajectoryScore score;
+    if (!reference_file_.empty()) {
+        const Trajectory reference = read_poses(reference_file_);
+        score = score_against(estimate, reference, options);
+        std::fprintf(stderr, "%zu of %zu poses have one of the reference's %zu within %g s\n",
+                     score.absolute->pairs.size(), estimate.size(), reference.size(),
+                     options.ate.max_time_difference_s);
+    }
+    if (!relations_file_.empty()) {
+        score.relations = read_and_score_relations(estimate, relations_file_, options.ate.max_time_difference_s);
+    }
+    std::cout << (as_json_ ? score_json(score).dump(2) + "\n" : score_table(score).text());
+    if (score.relations && score.relations->skipped > 0) {
+        std::fprintf(stderr, "%s: %zu relations skipped, their times are not in the trajectory\n",
+                     relations_file_.c_str(), score.relations->skipped);
+        return ExitCode::done_with_loss;
+    }
+    return ExitCode::done;
+}
+
+}  // namespace ddtool
