@@ -18,7 +18,7 @@ constexpr std::uint64_t golden_gamma = 0x9e3779b97f4a7c15ULL;
 
 RandomStream::RandomStream(std::initializer_list<std::uint64_t> keys) {
     for (const std::uint64_t key : keys) {
-        state_ = mix(state_ + golden_gamma) ^ mix(key + golden_gamma);
+        state_ = mix((state_ ^ mix(key + golden_gamma)) + golden_gamma);
     }
 }
 
