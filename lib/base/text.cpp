@@ -8,7 +8,18 @@ namespace ddtool {
 namespace {
 
 constexpr std::int64_t ns_per_s = 1'000'000'000;
+constexpr std::int64_t longest_s = 9'000'000'000;
 constexpr std::string_view separators = " \t\r,";
+
+/// As numpy.savetxt, and with it evo, writes stamps. 64 bits of mantissa keep nanoseconds.
+std::optional<std::int64_t> parse_scientific_stamp(std::string_view word) {
+    long double seconds = 0.0L;
+    const auto [end, error] = std::from_chars(word.begin(), word.end(), seconds);
+    if (error != std::errc() || end != word.end() || !(std::abs(seconds) <= static_cast<long double>(longest_s))) {
+        return std::nullopt;
+    }
+    return static_cast<std::int64_t>(std::llround(seconds * static_cast<long double>(ns_per_s)));
+}
 
 }  // namespace
 
@@ -30,15 +41,18 @@ std::optional<double> parse_number(std::string_view word) {
 }
 
 std::optional<std::int64_t> parse_stamp(std::string_view word) {
+    if (word.find_first_of("eE") != std::string_view::npos) {
+        return parse_scientific_stamp(word);
+    }
     std::int64_t seconds = 0;
     const auto [end, error] = std::from_chars(word.begin(), word.end(), seconds);
-    if (error != std::errc() || seconds > 9'000'000'000 || seconds < -9'000'000'000) {
+    if (error != std::errc() || seconds > longest_s || seconds < -longest_s || (end != word.end() && *end != '.')) {
         return std::nullopt;
     }
     double fraction = 0.0;
     if (end != word.end()) {
         const auto [last, fraction_error] = std::from_chars(end, word.end(), fraction);
-        if (fraction_error != std::errc() || last != word.end() || !(std::abs(fraction) < 1.0)) {
+        if (fraction_error != std::errc() || last != word.end()) {
             return std::nullopt;
         }
     }

@@ -13,8 +13,8 @@ std::string_view next_word(std::string_view& line);
 /// The whole word as a finite number, independent of the locale; none otherwise.
 std::optional<double> parse_number(std::string_view word);
 
-/// Decimal seconds as nanoseconds, exact: a double has no room for nanoseconds since 1970. None for what is not a
-/// number or beyond the years of a 64-bit nanosecond clock.
+/// Decimal seconds, "12.5" or "1.25e+01", as nanoseconds: a double has no room for nanoseconds since 1970. None for
+/// what is not a number or beyond the years of a 64-bit nanosecond clock.
 std::optional<std::int64_t> parse_stamp(std::string_view word);
 
 }  // namespace ddtool

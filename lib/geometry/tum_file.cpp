@@ -1,5 +1,6 @@
 #include "geometry/tum_file.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -26,11 +27,13 @@ std::optional<StampedPose> parse_line(std::string_view line) {
         }
         value = *number;
     }
-    if (!stamp || !next_word(line).empty()) {
+    const bool rotation_given = std::any_of(values.begin() + 3, values.end(), [](double each) { return each != 0.0; });
+    if (!stamp || !rotation_given || !next_word(line).empty()) {
         return std::nullopt;
     }
     const auto [x, y, z, qx, qy, qz, qw] = values;
-    const double yaw = std::atan2(2.0 * (qw * qz + qx * qy), 1.0 - 2.0 * (qy * qy + qz * qz));
+    // Written so that the quaternion need not be of unit length.
+    const double yaw = std::atan2(2.0 * (qw * qz + qx * qy), qw * qw + qx * qx - qy * qy - qz * qz);
     return StampedPose{*stamp, {x, y, yaw}};
 }
 
@@ -38,7 +41,7 @@ std::optional<StampedPose> parse_line(std::string_view line) {
 
 Trajectory read_tum(const std::filesystem::path& path) {
     Trajectory trajectory;
-    for_each_row(path, "eight numbers 'stamp x y z qx qy qz qw' (TUM)", [&](std::string_view line) {
+    for_each_row(path, "eight numbers 'stamp x y z qx qy qz qw' with a rotation (TUM)", [&](std::string_view line) {
         const std::optional<StampedPose> pose = parse_line(line);
         if (pose) {
             trajectory.push_back(*pose);
@@ -53,12 +56,12 @@ void write_tum(const std::filesystem::path& path, const Trajectory& trajectory) 
         out << "# stamp_s x_m y_m z_m qx qy qz qw\n";
         for (const StampedPose& stamped : trajectory) {
             const Pose2& pose = stamped.pose;
-            const std::int64_t below = stamped.stamp_ns < 0 ? -stamped.stamp_ns : stamped.stamp_ns;
+            const std::int64_t magnitude = stamped.stamp_ns < 0 ? -stamped.stamp_ns : stamped.stamp_ns;
             std::array<char, 256> text{};
             std::snprintf(text.data(), text.size(), "%s%lld.%09lld %.6f %.6f 0 0 0 %.9f %.9f\n",
-                          stamped.stamp_ns < 0 ? "-" : "", static_cast<long long>(below / ns_per_s),
-                          static_cast<long long>(below % ns_per_s), pose.x_m, pose.y_m, std::sin(pose.theta_rad / 2.0),
-                          std::cos(pose.theta_rad / 2.0));
+                          stamped.stamp_ns < 0 ? "-" : "", static_cast<long long>(magnitude / ns_per_s),
+                          static_cast<long long>(magnitude % ns_per_s), pose.x_m, pose.y_m,
+                          std::sin(pose.theta_rad / 2.0), std::cos(pose.theta_rad / 2.0));
             out << text.data();
         }
     });
