@@ -35,14 +35,16 @@ std::vector<std::size_t> systematic_resampling(std::span<const double> weights, 
     chosen.reserve(weights.size());
     const double step = 1.0 / static_cast<double>(weights.size());
     double cumulative = 0.0;
+    std::size_t last_with_weight = 0;
     for (std::size_t particle = 0; particle < weights.size(); ++particle) {
         cumulative += weights[particle];
+        last_with_weight = weights[particle] > 0.0 ? particle : last_with_weight;
         while (chosen.size() < weights.size() && (static_cast<double>(chosen.size()) + offset) * step < cumulative) {
             chosen.push_back(particle);
         }
     }
     while (chosen.size() < weights.size()) {  // rounding may leave the sum a little below one
-        chosen.push_back(weights.size() - 1);
+        chosen.push_back(last_with_weight);
     }
     return chosen;
 }
