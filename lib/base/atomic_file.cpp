@@ -6,7 +6,7 @@
 #include <cerrno>
 #include <cstring>
 #include <fstream>
-#include <iterator>
+#include <sstream>
 #include <string>
 #include <utility>
 
@@ -16,7 +16,8 @@ namespace ddtool {
 namespace {
 
 [[noreturn]] void fail(const std::filesystem::path& path, const char* doing) {
-    throw Error(path.string() + ": cannot " + doing + ": " + std::strerror(errno));
+    // A stream may fail without a system call that did.
+    throw Error(path.string() + ": cannot " + doing + (errno == 0 ? "" : std::string(": ") + std::strerror(errno)));
 }
 
 void sync_to_disk(const std::filesystem::path& path) {
@@ -36,8 +37,10 @@ void sync_to_disk(const std::filesystem::path& path) {
 AtomicFile::AtomicFile(std::filesystem::path path) : path_(std::move(path)), part_(path_.string() + ".part") {}
 
 AtomicFile::~AtomicFile() {
-    std::error_code ignored;
-    std::filesystem::remove(part_, ignored);
+    if (!committed_) {
+        std::error_code ignored;
+        std::filesystem::remove(part_, ignored);
+    }
 }
 
 void AtomicFile::commit() {
@@ -45,6 +48,7 @@ void AtomicFile::commit() {
     if (::rename(part_.c_str(), path_.c_str()) != 0) {
         fail(path_, "rename its .part to it");
     }
+    committed_ = true;
 }
 
 void write_file(const std::filesystem::path& path, const std::function<void(std::ostream&)>& write) {
@@ -70,10 +74,15 @@ void write_file(const std::filesystem::path& path, std::string_view content) {
 std::string read_file(const std::filesystem::path& path) {
     errno = 0;
     std::ifstream stream(path, std::ios::binary);
-    if (!stream || std::filesystem::is_directory(path)) {
+    if (!stream) {
         fail(path, "read");
     }
-    return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+    std::ostringstream content;
+    content << stream.rdbuf();
+    if (stream.bad() || errno != 0) {  // a folder opens, but cannot be read
+        fail(path, "read");
+    }
+    return std::move(content).str();
 }
 
 }  // namespace ddtool

@@ -24,6 +24,7 @@ public:
 private:
     std::filesystem::path path_;
     std::filesystem::path part_;
+    bool committed_ = false;
 };
 
 /// Writes a whole file through AtomicFile. Throws Error when it cannot (full disk, read-only folder).

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <sstream>
 #include <utility>
 
 #include "base/atomic_file.hpp"
@@ -23,6 +24,111 @@ std::size_t edit_distance(const std::string& a, const std::string& b) {
     return row.back();
 }
 
+void collect_paths(const Json& settings, const std::string& prefix, std::vector<std::string>& paths) {
+    for (const auto& [key, value] : settings.items()) {
+        paths.push_back(prefix + key);
+        collect_paths(value.is_object() ? value : Json::object(), prefix + key + ".", paths);
+    }
+}
+
+/// Of all known paths, not only the siblings: the usual mistake beside a typo is the wrong group.
+[[noreturn]] void fail_unknown(const Json& all, const std::string& path, const std::string& source) {
+    std::vector<std::string> known;
+    collect_paths(all, "", known);
+    const std::string hint =
+        known.empty() ? "there are no settings" : "did you mean: " + joined(nearest_words(path, known)) + "?";
+    throw UsageError(source + ": unknown setting '" + path + "'; " + hint);
+}
+
+bool fits(const Json& known, const Json& value) {
+    if (known.is_null()) {
+        return true;
+    }
+    if (known.is_number_float()) {
+        return value.is_number();
+    }
+    if (known.is_number_integer()) {
+        return value.is_number_integer() && (!known.is_number_unsigned() || value >= 0);
+    }
+    if (known.is_array() && value.is_array() && !known.empty()) {
+        return std::all_of(value.begin(), value.end(), [&](const Json& item) { return fits(known.front(), item); });
+    }
+    return known.type() == value.type();
+}
+
+std::string kind_of(const Json& known) {
+    if (known.is_number_unsigned()) {
+        return "whole number from 0 up";
+    }
+    return known.is_number_integer() ? "whole number" : known.type_name();
+}
+
+struct Merge {
+    const std::string& source;
+    const Json& all;  ///< every known setting, for hints
+
+    void operator()(Json& settings, const Json& changes, const std::string& prefix) const {
+        for (const auto& [key, value] : changes.items()) {
+            const std::string path = prefix + key;
+            if (!settings.contains(key)) {
+                fail_unknown(all, path, source);
+            }
+            replace(settings[key], value, path);
+        }
+    }
+
+    void replace(Json& known, const Json& value, const std::string& path) const {
+        if (known.is_object() && value.is_object()) {
+            (*this)(known, value, path + ".");
+        } else if (!known.is_object() && fits(known, value)) {
+            // A float stays one: "1" must not turn it into a whole number that then refuses 0.5.
+            known = known.is_number_float() ? Json(value.get<double>()) : value;
+        } else {
+            throw UsageError(source + ": setting '" + path + "' is " + value.dump() + ", expected " + kind_of(known) +
+                             " such as " + known.dump());
+        }
+    }
+};
+
+/// The value at a dotted path; null where there is none.
+const Json* find_setting(const Json& settings, const std::vector<std::string>& keys) {
+    const Json* found = &settings;
+    for (const std::string& key : keys) {
+        if (!found->is_object() || !found->contains(key)) {
+            return nullptr;
+        }
+        found = &(*found)[key];
+    }
+    return found;
+}
+
+std::vector<std::string> split_path(const std::string& path) {
+    std::vector<std::string> keys;
+    std::istringstream stream(path);
+    for (std::string key; std::getline(stream, key, '.');) {
+        keys.push_back(key);
+    }
+    return keys;
+}
+
+Json parse_value(const Json* known, const std::string& text) {
+    if (known != nullptr && known->is_string()) {
+        return text;
+    }
+    Json value = Json::parse(text, nullptr, false);
+    if (value.is_discarded() && known != nullptr && known->is_array()) {
+        value = Json::parse("[" + text + "]", nullptr, false);
+    }
+    return value.is_discarded() ? Json(text) : value;
+}
+
+std::size_t line_of(const std::string& text, std::size_t byte) {
+    const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(byte, text.size()));
+    return 1 + static_cast<std::size_t>(std::count(text.begin(), end, '\n'));
+}
+
+}  // namespace
+
 std::string joined(const std::vector<std::string>& words) {
     std::string text;
     for (const std::string& word : words) {
@@ -31,51 +137,14 @@ std::string joined(const std::vector<std::string>& words) {
     return text;
 }
 
-bool same_type(const Json& known, const Json& value) {
-    if (known.is_number_float()) {
-        return value.is_number();
-    }
-    if (known.is_number_integer()) {
-        return value.is_number_integer() && (!known.is_number_unsigned() || value >= 0);
-    }
-    return known.is_null() || known.type() == value.type();
-}
-
-void merge(Json& settings, const Json& changes, const std::string& source, const std::string& prefix) {
-    for (const auto& [key, value] : changes.items()) {
-        const std::string path = prefix + key;
-        if (!settings.contains(key)) {
-            std::vector<std::string> known;
-            for (const auto& item : settings.items()) {
-                known.push_back(item.key());
-            }
-            throw UsageError(source + ": unknown setting '" + path +
-                             "'; did you mean: " + joined(nearest_words(key, known)) + "?");
-        }
-        Json& target = settings[key];
-        if (target.is_object() && value.is_object()) {
-            merge(target, value, source, path + ".");
-        } else if (same_type(target, value)) {
-            target = value;
-        } else {
-            throw UsageError(source + ": setting '" + path + "' is " + value.dump() + ", expected a " +
-                             target.type_name() + " such as " + target.dump());
-        }
-    }
-}
-
-Json parse_value(const std::string& text) {
-    Json value = Json::parse(text, nullptr, false);
-    return value.is_discarded() ? Json(text) : value;
-}
-
-}  // namespace
-
 std::vector<std::string> nearest_words(const std::string& word, const std::vector<std::string>& known) {
+    const auto last_part = [](const std::string& path) { return path.substr(path.find_last_of('.') + 1); };
+    const auto distance = [&](const std::string& each) {
+        return std::pair(edit_distance(last_part(word), last_part(each)), edit_distance(word, each));
+    };
     std::vector<std::string> words = known;
-    std::stable_sort(words.begin(), words.end(), [&](const std::string& a, const std::string& b) {
-        return edit_distance(word, a) < edit_distance(word, b);
-    });
+    std::stable_sort(words.begin(), words.end(),
+                     [&](const std::string& a, const std::string& b) { return distance(a) < distance(b); });
     words.resize(std::min<std::size_t>(words.size(), 3));
     return words;
 }
@@ -84,30 +153,41 @@ void merge_settings(Json& settings, const Json& changes, const std::string& sour
     if (!changes.is_object()) {
         throw UsageError(source + ": expected a JSON object of settings");
     }
-    merge(settings, changes, source, "");
+    const Json all = settings;
+    Merge{source, all}(settings, changes, "");
 }
 
 void merge_settings_file(Json& settings, const std::filesystem::path& file) {
-    const std::string text = read_file(file);
+    std::string text;
+    try {
+        text = read_file(file);
+    } catch (const Error& error) {
+        throw UsageError(error.what());
+    }
     Json changes;
     try {
         changes = Json::parse(text, nullptr, true, true);
     } catch (const Json::parse_error& error) {
-        throw UsageError(file.string() + ": not JSON at byte " + std::to_string(error.byte));
+        throw UsageError(file.string() + ":" + std::to_string(line_of(text, error.byte)) + ": expected JSON");
     }
     merge_settings(settings, changes, file.string());
 }
 
-void merge_setting(Json& settings, const std::string& assignment) {
+void merge_setting(Json& settings, const std::string& path, const std::string& text, const std::string& source) {
+    const std::vector<std::string> keys = split_path(path);
+    Json changes = parse_value(find_setting(settings, keys), text);
+    for (auto key = keys.rbegin(); key != keys.rend(); ++key) {
+        changes = Json::object({{*key, changes}});
+    }
+    merge_settings(settings, changes, source);
+}
+
+void merge_assignment(Json& settings, const std::string& assignment) {
     const std::size_t equals = assignment.find('=');
-    if (equals == std::string::npos) {
+    if (equals == 0 || equals == std::string::npos) {
         throw UsageError("--set " + assignment + ": expected path.to.key=value");
     }
-    std::string pointer = "/" + assignment.substr(0, equals);
-    std::replace(pointer.begin(), pointer.end(), '.', '/');
-    Json changes;
-    changes[Json::json_pointer(pointer)] = parse_value(assignment.substr(equals + 1));
-    merge_settings(settings, changes, "--set");
+    merge_setting(settings, assignment.substr(0, equals), assignment.substr(equals + 1), "--set");
 }
 
 }  // namespace ddtool

@@ -12,16 +12,25 @@ namespace ddtool {
 using Json = nlohmann::ordered_json;
 
 /// Puts every value of `changes` into `settings`. Throws UsageError naming `source` and the key for a key that
-/// `settings` does not have (with the nearest known ones) or a value of another type.
+/// `settings` does not have (with the nearest known ones) or a value of another type; a list's items are of the type of
+/// its first default. A setting that is null takes any value.
 void merge_settings(Json& settings, const Json& changes, const std::string& source);
 
-/// Reads a JSON file (comments allowed) and merges it.
+/// Reads a JSON file (comments allowed) and merges it. Throws UsageError, also for a file that cannot be read.
 void merge_settings_file(Json& settings, const std::filesystem::path& file);
 
-/// Merges one "path.to.key=value"; the value is JSON, or a bare string where the setting is a string.
-void merge_setting(Json& settings, const std::string& assignment);
+/// Merges one value given as text. The path has dots between keys. The text is taken as it is where the setting is a
+/// string; elsewhere it is JSON, and a list may leave out its brackets: "0.1,0,0".
+void merge_setting(Json& settings, const std::string& path, const std::string& text, const std::string& source);
 
-/// Known words at the smallest edit distance from `word`, at most three, nearest first.
+/// Merges one "path.to.key=value" of --set.
+void merge_assignment(Json& settings, const std::string& assignment);
+
+/// At most three of the known words, nearest first by edit distance: that of the part after the last dot, then of the
+/// whole.
 std::vector<std::string> nearest_words(const std::string& word, const std::vector<std::string>& known);
+
+/// "a, b, c".
+std::string joined(const std::vector<std::string>& words);
 
 }  // namespace ddtool
