@@ -1,8 +1,35 @@
 #include "command.hpp"
 
+#include <algorithm>
+#include <cstdint>
 #include <utility>
 
 namespace ddtool {
+namespace {
+
+Json setting_at(const Json& settings, const std::string& path) {
+    std::string pointer = "/" + path;
+    std::replace(pointer.begin(), pointer.end(), '.', '/');
+    return settings.at(Json::json_pointer(pointer));
+}
+
+std::string type_name(const Json& value) {
+    if (value.is_number_integer()) {
+        return "INT";
+    }
+    if (value.is_number()) {
+        return "NUMBER";
+    }
+    return value.is_array() ? "LIST" : "TEXT";
+}
+
+/// As it may be written on a command line: no default for null, a list without its brackets.
+std::string bare(const Json& value) {
+    const std::string text = value.is_null() ? "" : value.dump();
+    return value.is_array() ? text.substr(1, text.size() - 2) : text;
+}
+
+}  // namespace
 
 Command::Command(std::string name, std::string summary, std::string example)
     : name_(std::move(name)), summary_(std::move(summary)), example_(std::move(example)) {}
@@ -24,8 +51,17 @@ void Command::declare(CLI::App& program) {
 ExitCode Command::execute() { return run(effective_settings()); }
 
 void Command::bind_option(CLI::App& app, const std::string& option, const std::string& path, const std::string& help) {
-    app.add_option_function<std::string>(
-        option, [this, path](const std::string& value) { bound_values_[path] = value; }, help);
+    const Json default_value = setting_at(default_settings(), path);
+    const auto bind = [this, option, path](const std::string& text) { bound_values_.push_back({option, path, text}); };
+    if (default_value.is_boolean()) {
+        app.add_flag_function(
+            option + ",!--no-" + option.substr(2), [bind](std::int64_t count) { bind(count > 0 ? "true" : "false"); },
+            help);
+        return;
+    }
+    app.add_option_function<std::string>(option, bind, help)
+        ->type_name(type_name(default_value))
+        ->default_str(default_value.is_string() ? default_value.get<std::string>() : bare(default_value));
 }
 
 Json Command::effective_settings() const {
@@ -34,10 +70,10 @@ Json Command::effective_settings() const {
         merge_settings_file(settings, file);
     }
     for (const std::string& assignment : assignments_) {
-        merge_setting(settings, assignment);
+        merge_assignment(settings, assignment);
     }
-    for (const auto& [path, value] : bound_values_) {
-        merge_setting(settings, path + "=" + value);
+    for (const auto& [option, path, text] : bound_values_) {
+        merge_setting(settings, path, text, option);
     }
     return settings;
 }

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
-#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -31,10 +30,17 @@ protected:
     [[nodiscard]] virtual Json default_settings() const { return Json::object(); }
     virtual ExitCode run(const Json& settings) = 0;
 
-    /// A command-line option that is short for --set path=VALUE.
+    /// A command-line option that is short for --set path=VALUE; where the default is a boolean, a flag with its
+    /// --no- twin. Help shows the default. Throws std::out_of_range for a path that default_settings() lacks.
     void bind_option(CLI::App& app, const std::string& option, const std::string& path, const std::string& help);
 
 private:
+    struct BoundValue {
+        std::string option;
+        std::string path;
+        std::string text;
+    };
+
     [[nodiscard]] Json effective_settings() const;
 
     std::string name_;
@@ -43,7 +49,7 @@ private:
     CLI::App* app_ = nullptr;
     std::vector<std::string> config_files_;
     std::vector<std::string> assignments_;
-    std::map<std::string, std::string> bound_values_;  ///< by settings path
+    std::vector<BoundValue> bound_values_;
 };
 
 using CommandTable = std::vector<std::unique_ptr<Command>>;

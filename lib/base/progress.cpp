@@ -7,6 +7,8 @@
 #include <cstdio>
 #include <utility>
 
+#include "base/log.hpp"
+
 namespace ddtool {
 namespace {
 
@@ -15,7 +17,9 @@ constexpr auto redraw_interval = std::chrono::milliseconds(200);
 }  // namespace
 
 Progress::Progress(std::string what, std::string unit)
-    : what_(std::move(what)), unit_(std::move(unit)), terminal_(::isatty(STDERR_FILENO) != 0) {}
+    : what_(std::move(what)),
+      unit_(std::move(unit)),
+      shown_(::isatty(STDERR_FILENO) != 0 && log_shows(LogLevel::info)) {}
 
 Progress::~Progress() {
     if (drawn_) {
@@ -24,7 +28,7 @@ Progress::~Progress() {
 }
 
 void Progress::update(double fraction_done, std::size_t count) {
-    if (!terminal_) {
+    if (!shown_) {
         return;
     }
     const auto now = Clock::now();
@@ -43,10 +47,11 @@ void Progress::draw(double fraction_done, std::size_t count, Clock::time_point n
 }
 
 std::string format_duration(double seconds) {
-    if (!std::isfinite(seconds)) {
+    constexpr double longest_s = 1e9;
+    if (!(seconds >= 0.0 && seconds < longest_s)) {
         return "?";
     }
-    const auto total = static_cast<long>(std::lround(seconds));
+    const long total = std::lround(seconds);
     char text[48];
     if (total >= 3600) {
         std::snprintf(text, sizeof text, "%ld:%02ld:%02ld", total / 3600, total / 60 % 60, total % 60);

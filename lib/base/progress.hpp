@@ -5,7 +5,8 @@
 
 namespace ddtool {
 
-/// One line on stderr, redrawn: what, share done, rate, time left. Silent when stderr is not a terminal.
+/// One line on stderr, redrawn: what, share done, rate, time left. Silent when stderr is not a terminal, and with
+/// --quiet.
 class Progress {
 public:
     using Clock = std::chrono::steady_clock;
@@ -24,13 +25,13 @@ private:
 
     std::string what_;
     std::string unit_;
-    bool terminal_;
+    bool shown_;
     bool drawn_ = false;
     Clock::time_point start_ = Clock::now();
     Clock::time_point last_ = start_;
 };
 
-/// "1:05" or "2:03:09" for a number of seconds; "?" when it is not finite.
+/// "1:05" or "2:03:09" for a number of seconds; "?" when it is negative, absurdly long or no number.
 std::string format_duration(double seconds);
 
 }  // namespace ddtool

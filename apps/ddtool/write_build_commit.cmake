@@ -1,0 +1,18 @@
+# Writes build_commit.hpp with the commit of the checkout, at every build; the file is touched only when the commit
+# changed, so that a rebuild stays quick. Arguments: SOURCE_DIR, HEADER.
+cmake_minimum_required(VERSION 3.25)
+
+set(commit "unknown")
+set(git git --no-optional-locks -c safe.directory=* -C ${SOURCE_DIR})
+execute_process(COMMAND ${git} rev-parse --show-toplevel
+  OUTPUT_VARIABLE top OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET RESULT_VARIABLE failed)
+# A tarball unpacked inside somebody else's checkout is not that checkout.
+file(REAL_PATH "${SOURCE_DIR}" source_dir)
+if(failed EQUAL 0 AND top STREQUAL source_dir)
+  execute_process(COMMAND ${git} describe --always --dirty --exclude=* --abbrev=12
+    OUTPUT_VARIABLE described OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET RESULT_VARIABLE failed)
+  if(failed EQUAL 0)
+    set(commit "${described}")
+  endif()
+endif()
+file(CONFIGURE OUTPUT "${HEADER}" CONTENT "#pragma once\n\n#define DDTOOL_COMMIT \"${commit}\"\n")
