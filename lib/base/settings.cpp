@@ -176,9 +176,7 @@ void merge_settings_file(Json& settings, const std::filesystem::path& file) {
 void merge_setting(Json& settings, const std::string& path, const std::string& text, const std::string& source) {
     const std::vector<std::string> keys = split_path(path);
     Json changes = parse_value(find_setting(settings, keys), text);
-    for (auto key = keys.rbegin(); key != keys.rend(); ++key) {
-        changes = Json::object({{*key, changes}});
-    }
+    std::for_each(keys.rbegin(), keys.rend(), [&](const auto& key) { changes = Json::object({{key, changes}}); });
     merge_settings(settings, changes, source);
 }
 
