@@ -1,0 +1,26 @@
+#pragma once
+
+#include "sensor/sensor_stream.hpp"
+#include "sim/simulation.hpp"
+
+namespace ddtool::sim {
+
+/// A simulation as the filter sees it, without a file between.
+class SimulatedStream : public SensorStream {
+public:
+    SimulatedStream(const World& world, const SimulationSettings& settings) : simulation_(world, settings) {}
+
+    std::optional<SensorFrame> next() override;
+    [[nodiscard]] double fraction_read() const override;
+
+    /// Of the frame that next() returned last; zero before the first.
+    [[nodiscard]] const Eigen::Matrix3d& fisher_information() const { return fisher_information_; }
+    [[nodiscard]] const Simulation& simulation() const { return simulation_; }
+
+private:
+    Simulation simulation_;
+    std::size_t next_ = 0;
+    Eigen::Matrix3d fisher_information_ = Eigen::Matrix3d::Zero();
+};
+
+}  // namespace ddtool::sim
