@@ -1,7 +1,5 @@
 #include "logs/byte_source.hpp"
 
-#include <zlib.h>
-
 #include <algorithm>
 #include <array>
 #include <cerrno>
@@ -10,6 +8,7 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "logs/crc.hpp"
 
 namespace ddtool {
 namespace {
@@ -49,23 +48,25 @@ std::size_t ByteSource::read(std::span<std::byte> into) {
         throw Error(name_ + ": cannot read after byte " + std::to_string(offset_) + ": " + std::strerror(errno));
     }
     const auto count = static_cast<std::size_t>(stream_->gcount());
-    crc_ = static_cast<std::uint32_t>(crc32_z(crc_, reinterpret_cast<const Bytef*>(into.data()), count));
+    crc_ = crc32_of(into.first(count), crc_);
     offset_ += count;
     return count;
 }
 
-void ByteSource::read(std::vector<std::byte>& into, std::uint64_t size) {
-    into.clear();
-    while (into.size() < size) {
+std::uint64_t ByteSource::append_to(std::vector<std::byte>& into, std::uint64_t size) {
+    std::uint64_t appended = 0;
+    while (appended < size) {
         const std::size_t before = into.size();
-        const auto wanted = static_cast<std::size_t>(std::min(size - before, step_bytes));
+        const auto wanted = static_cast<std::size_t>(std::min(size - appended, step_bytes));
         into.resize(before + wanted);
         const std::size_t count = read(std::span(into).subspan(before));
         into.resize(before + count);
+        appended += count;
         if (count < wanted) {
-            return;
+            break;
         }
     }
+    return appended;
 }
 
 std::uint64_t ByteSource::skip(std::uint64_t size) {

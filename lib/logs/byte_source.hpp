@@ -22,9 +22,9 @@ public:
 
     /// Fills `into`; returns how many bytes came, fewer only at the end. Throws Error when the system cannot read.
     std::size_t read(std::span<std::byte> into);
-    /// Replaces the content of `into` by the next `size` bytes, or fewer at the end. Memory grows with what really
-    /// comes, not with `size`.
-    void read(std::vector<std::byte>& into, std::uint64_t size);
+    /// Appends the next `size` bytes, or fewer at the end; returns how many. Memory grows with what really comes, not
+    /// with `size`.
+    std::uint64_t append_to(std::vector<std::byte>& into, std::uint64_t size);
     /// Reads over `size` bytes; returns how many there were.
     std::uint64_t skip(std::uint64_t size);
 

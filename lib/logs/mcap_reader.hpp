@@ -4,13 +4,14 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <set>
 #include <span>
-#include <string>
-#include <vector>
 
 #include "logs/byte_source.hpp"
 #include "logs/log_problem.hpp"
+#include "logs/mcap_data_section.hpp"
 #include "logs/mcap_definitions.hpp"
+#include "logs/mcap_format.hpp"
 #include "logs/mcap_types.hpp"
 
 namespace ddtool {
@@ -21,9 +22,6 @@ namespace ddtool {
 /// skipped, a chunk that is cut off gives the messages before the cut.
 class McapReader {
 public:
-    /// No chunk or record that must be held in memory may be larger.
-    static constexpr std::uint64_t max_held_bytes = std::uint64_t{1} << 30;
-
     /// Throws Error when the source cannot be read or is not an MCAP file, saying what it looks like.
     McapReader(ByteSource source, LogProblemHandler on_problem);
     McapReader(const std::filesystem::path& path, LogProblemHandler on_problem);
@@ -31,12 +29,17 @@ public:
     /// The next message; none at the end.
     std::optional<McapMessage> next();
     /// Share of the file read, 0..1; 0 where its length is unknown (a pipe).
-    [[nodiscard]] double fraction_read() const { return source_.fraction_read(); }
+    [[nodiscard]] double fraction_read() const { return section_.fraction_read(); }
 
 private:
-    ByteSource source_;
-    LogProblemHandler on_problem_;
+    std::optional<McapMessage> take_record();
+    std::optional<McapMessage> interpret(McapOpcode opcode, std::span<const std::byte> content);
+    std::optional<McapMessage> message_of(std::span<const std::byte> content);
+
+    McapDataSection section_;
+    McapRecords records_;  ///< not yet taken
     McapDefinitions definitions_;
+    std::set<std::uint16_t> undefined_channels_;
 };
 
 }  // namespace ddtool

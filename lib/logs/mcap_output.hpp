@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <span>
+
+#include "base/atomic_file.hpp"
+#include "logs/mcap_fields.hpp"
+
+namespace ddtool {
+
+/// A file being written, that knows its length and the CRC-32 of the section being written. It appears under its name
+/// at commit(). Every call throws Error, naming the file, when it cannot be written.
+class McapOutput {
+public:
+    explicit McapOutput(const std::filesystem::path& path);
+
+    void put(std::span<const std::byte> bytes);
+    void put_record(McapOpcode opcode, const McapFieldWriter& content);
+    void commit();
+
+    /// Bytes written so far.
+    [[nodiscard]] std::uint64_t offset() const { return offset_; }
+    /// Of what was written since the start or the last restart.
+    [[nodiscard]] std::uint32_t crc() const { return crc_; }
+    void restart_crc() { crc_ = 0; }
+
+private:
+    std::filesystem::path path_;
+    AtomicFile file_;
+    std::ofstream stream_;
+    std::uint64_t offset_ = 0;
+    std::uint32_t crc_ = 0;
+};
+
+}  // namespace ddtool
