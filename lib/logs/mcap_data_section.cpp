@@ -157,7 +157,9 @@ void McapDataSection::check_footer(const Record& record) {
     source_.skip(footer_bytes - sizeof(std::uint32_t));
     const std::uint32_t actual_crc = source_.crc();
     const std::uint32_t crc = read_crc(source_);
-    if (in_summary_ && crc != 0 && crc != actual_crc && !damaged_) {
+    if (!in_summary_ && !damaged_) {
+        report("the footer comes before a Data End: records may be missing before it");
+    } else if (crc != 0 && crc != actual_crc && !damaged_) {
         report("the summary does not match its CRC; the messages are not affected");
     }
     check_end();

@@ -51,11 +51,12 @@ public:
         bytes_.put_record(opcode, content);
         return *this;
     }
+    Records& data_end() { return record(McapOpcode::data_end, McapFieldWriter().put(std::uint32_t{0})); }
     /// A whole file, without CRCs or a summary.
-    [[nodiscard]] std::string file() const {
+    [[nodiscard]] std::string file() const { return Records(*this).data_end().file_without_data_end(); }
+    [[nodiscard]] std::string file_without_data_end() const {
         McapFieldWriter file;
         file.put_bytes(mcap_magic).put_bytes(bytes_.bytes());
-        file.put_record(McapOpcode::data_end, McapFieldWriter().put(std::uint32_t{0}));
         file.put_record(McapOpcode::footer, McapFieldWriter().put_bytes(std::array<std::byte, 20>{}));
         file.put_bytes(mcap_magic);
         return {reinterpret_cast<const char*>(file.bytes().data()), file.size()};
@@ -119,6 +120,12 @@ TEST(McapReader, ADefinitionThatChangesIsReportedAndTheFirstIsKept) {
 TEST(McapReader, AChannelOfAnUnknownSchemaIsReported) {
     const ReadBack result = read_back(Records().channel(1, 9, "/a").file());
     EXPECT_THAT(result.problems, ElementsAre(Field(&LogProblem::what, HasSubstr("schema 9"))));
+}
+
+TEST(McapReader, AFooterWithoutADataEndIsReported) {
+    const ReadBack result = read_back(Records().channel(1, 0, "/t").message(1, "one").file_without_data_end());
+    EXPECT_THAT(result.problems, ElementsAre(Field(&LogProblem::what, HasSubstr("Data End"))));
+    EXPECT_THAT(result.messages, ElementsAre(expected("/t", "one", 0)));
 }
 
 TEST(McapReader, AMalformedRecordCostsItselfOnly) {
