@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+
+#include "base/error.hpp"
+
+namespace ddtool::test {
+
+/// The text of the Error of that type that `action` throws; empty when it throws none.
+template <typename ErrorType = Error, typename Action>
+std::string thrown_text(Action&& action) {
+    try {
+        action();
+    } catch (const ErrorType& error) {
+        return error.what();
+    }
+    return "";
+}
+
+}  // namespace ddtool::test

@@ -1,0 +1,142 @@
+#include "program.hpp"
+
+#include <gmock/gmock.h>
+
+#include <memory>
+
+#include "base/log.hpp"
+#include "thrown_text.hpp"
+#include "version.hpp"
+
+namespace ddtool {
+namespace {
+
+using test::thrown_text;
+using testing::HasSubstr;
+
+/// Hands out the settings it was run with.
+class Probe : public Command {
+public:
+    explicit Probe(Json& seen) : Command("probe", "Shows its settings", "ddtool probe --particles 5"), seen_(seen) {}
+
+protected:
+    void add_options(CLI::App& app) override {
+        bind_option(app, "--particles", "filter.particles", "How many");
+        bind_option(app, "--method", "method", "Which");
+        bind_option(app, "--fast", "fast", "Whether");
+        bind_option(app, "--laser-pose", "laser_pose", "Where");
+    }
+    [[nodiscard]] Json default_settings() const override {
+        return {{"filter", {{"particles", 30}}}, {"method", "m"}, {"fast", true}, {"laser_pose", {0.0, 0.0, 0.0}}};
+    }
+    ExitCode run(const Json& settings) override {
+        seen_ = settings;
+        return ExitCode::done_with_loss;
+    }
+
+private:
+    Json& seen_;
+};
+
+struct Outcome {
+    ExitCode code = ExitCode::done;
+    Json settings;
+    std::string out;
+};
+
+Outcome outcome(std::vector<const char*> words) {
+    Outcome result;
+    CommandTable commands;
+    commands.push_back(std::make_unique<Probe>(result.settings));
+    words.insert(words.begin(), "ddtool");
+    testing::internal::CaptureStdout();
+    try {
+        result.code = run_program(commands, static_cast<int>(words.size()), words.data());
+    } catch (...) {
+        testing::internal::GetCapturedStdout();
+        throw;
+    }
+    result.out = testing::internal::GetCapturedStdout();
+    return result;
+}
+
+std::string refusal(const std::vector<const char*>& words) {
+    return thrown_text<UsageError>([&] { outcome(words); });
+}
+
+TEST(Program, RunsTheChosenCommandWithItsDefaultsAndReturnsItsCode) {
+    const Outcome result = outcome({"probe"});
+    EXPECT_EQ(result.code, ExitCode::done_with_loss);
+    EXPECT_EQ(result.settings["filter"]["particles"], 30);
+}
+
+TEST(Program, BoundOptionIsTheSettingItStandsFor) {
+    EXPECT_EQ(outcome({"probe", "--particles", "60"}).settings,
+              outcome({"probe", "--set", "filter.particles=60"}).settings);
+    EXPECT_EQ(outcome({"probe", "--laser-pose", "-0.1,0,3"}).settings,
+              outcome({"probe", "--set", "laser_pose=[-0.1,0,3]"}).settings);
+}
+
+TEST(Program, BoundTextIsTakenAsItIs) {
+    for (const char* text : {"a=b", "12", "true", "with blanks", "\"q\""}) {
+        EXPECT_EQ(outcome({"probe", "--method", text}).settings["method"], text);
+    }
+}
+
+TEST(Program, BoundBooleanIsAFlagWithATwin) {
+    EXPECT_EQ(outcome({"probe", "--no-fast"}).settings["fast"], false);
+    EXPECT_EQ(outcome({"probe", "--set", "fast=false", "--fast"}).settings["fast"], true);
+}
+
+TEST(Program, LaterSettingWins) {
+    EXPECT_EQ(outcome({"probe", "--set", "filter.particles=1", "--set", "filter.particles=2"})
+                  .settings["filter"]["particles"],
+              2);
+    EXPECT_EQ(outcome({"probe", "--particles", "3", "--set", "filter.particles=2"}).settings["filter"]["particles"], 3);
+}
+
+TEST(Program, BoundOptionIsNamedInErrors) {
+    EXPECT_THAT(refusal({"probe", "--particles", "many"}), testing::StartsWith("--particles: setting"));
+}
+
+TEST(Program, UnknownWordsNameTheNearest) {
+    EXPECT_EQ(refusal({"prbe"}), "unknown command 'prbe'; did you mean: probe?");
+    EXPECT_THAT(refusal({"probe", "--partcles", "3"}),
+                testing::AllOf(HasSubstr("'--partcles'"), HasSubstr("--particles")));
+    EXPECT_THAT(refusal({"probe", "stray"}), HasSubstr("unexpected argument 'stray'"));
+    EXPECT_THAT(refusal({}), HasSubstr("expected a command"));
+    EXPECT_NE(refusal({"probe", "--particles"}), "");
+}
+
+TEST(Program, SharedOptionsMayStandOnEitherSideOfTheCommand) {
+    for (const std::vector<const char*>& words : {std::vector<const char*>{"--quiet", "probe"}, {"probe", "--quiet"}}) {
+        set_log_level(LogLevel::info);
+        outcome(words);
+        EXPECT_FALSE(log_shows(LogLevel::warning));
+        EXPECT_TRUE(log_shows(LogLevel::error));
+    }
+    outcome({"probe", "--log-level", "debug"});
+    EXPECT_TRUE(log_shows(LogLevel::debug));
+    EXPECT_THAT(refusal({"--log-level", "loud", "probe"}), HasSubstr("'loud'"));
+    set_log_level(LogLevel::info);
+}
+
+TEST(Program, HelpShowsDefaultsAndAnExampleAndRunsNothing) {
+    const Outcome result = outcome({"probe", "--help"});
+    EXPECT_EQ(result.code, ExitCode::done);
+    EXPECT_TRUE(result.settings.is_null());
+    EXPECT_THAT(result.out, HasSubstr("ddtool probe --particles 5"));
+    EXPECT_THAT(result.out, HasSubstr("INT=30"));
+}
+
+TEST(Program, VersionNamesTheCommitAndTheLibraries) {
+    const std::string out = outcome({"--version"}).out;
+    for (const std::string name : {"ddtool", "commit", "compiler", "CLI11", "Eigen", "fast-cdr", "LibTorch", "lz4",
+                                   "nlohmann-json", "OpenCV", "protobuf", "spdlog", "zstd"}) {
+        EXPECT_THAT(out, HasSubstr(name));
+    }
+    EXPECT_EQ(out, version_text() + "\n");
+}
+
+}  // namespace
+}  // namespace ddtool
