@@ -35,12 +35,17 @@ std::vector<Room> draw_rooms(double length_m, double corridor_wall_m, RandomStre
     return rooms;
 }
 
+/// The right wall is the next room's left one, or the end of the row.
 void add_walls(World& world, const Room& room) {
     const double near = room.corridor_wall_m;
     const double far = room.back_wall_m;
     add_polyline(world, {{room.left_m, near}, {room.door_m - door_width_m / 2.0, near}});
     add_polyline(world, {{room.door_m + door_width_m / 2.0, near}, {room.right_m, near}});
-    add_polyline(world, {{room.left_m, near}, {room.left_m, far}, {room.right_m, far}, {room.right_m, near}});
+    add_polyline(world, {{room.left_m, near}, {room.left_m, far}, {room.right_m, far}});
+}
+
+void close_row(World& world, const Room& last) {
+    add_polyline(world, {{last.right_m, last.corridor_wall_m}, {last.right_m, last.back_wall_m}});
 }
 
 /// Boxes along the back wall and in the corners away from the door's line, which the robot drives.
@@ -77,6 +82,8 @@ World random_office(std::uint64_t seed) {
                 .route = {.start = {1.0, 0.0, 0.0}, .way_points = {}}};
     std::vector<Room> rooms = draw_rooms(length_m, half_width_m, random);
     const std::vector<Room> below = draw_rooms(length_m, -half_width_m, random);
+    close_row(world, rooms.back());
+    close_row(world, below.back());
     rooms.insert(rooms.end(), below.begin(), below.end());
     std::sort(rooms.begin(), rooms.end(), [](const Room& a, const Room& b) { return a.door_m < b.door_m; });
     for (const Room& room : rooms) {
