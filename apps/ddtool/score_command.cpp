@@ -5,6 +5,7 @@
 
 #include "eval/trajectory_score.hpp"
 #include "geometry/tum_file.hpp"
+#include "plot/trajectory_plot.hpp"
 
 namespace ddtool {
 namespace {
@@ -56,6 +57,9 @@ void ScoreCommand::add_options(CLI::App& app) {
     truth->add_option("--relations", relations_file_, "True relative poses: t1 t2 x y z roll pitch yaw a line")
         ->type_name("FILE");
     truth->require_option(1, 2);
+    app.add_option("--plot", plot_file_, "Picture of both trajectories and of the error over time")
+        ->type_name("FILE.png")
+        ->needs("--reference");
     app.add_flag("--json", as_json_, "Print JSON instead of a table");
     bind_option(app, "--align", "align", "Motion granted to the estimate first: none, first or se2 [se2]");
     bind_option(app, "--max-time-difference", "max_time_difference_s", "Stamps this close are one moment [0.01 s]");
@@ -82,6 +86,9 @@ ExitCode ScoreCommand::run(const Json& settings) {
     }
     if (!relations_file_.empty()) {
         score.relations = read_and_score_relations(estimate, relations_file_, options.ate.max_time_difference_s);
+    }
+    if (!plot_file_.empty()) {
+        plot::error_figure(*score.absolute).write_png(plot_file_);
     }
     std::cout << (as_json_ ? score_json(score).dump(2) + "\n" : score_table(score).text());
     if (score.relations && score.relations->skipped > 0) {

@@ -20,6 +20,7 @@ private:
     std::string trajectory_file_;
     std::string reference_file_;
     std::string relations_file_;
+    std::string plot_file_;
     bool as_json_ = false;
 };
 
