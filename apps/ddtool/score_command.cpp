@@ -1,8 +1,8 @@
 #include "score_command.hpp"
 
-#include <cstdio>
 #include <iostream>
 
+#include "base/log.hpp"
 #include "eval/trajectory_score.hpp"
 #include "geometry/tum_file.hpp"
 #include "plot/trajectory_plot.hpp"
@@ -51,20 +51,19 @@ ScoreCommand::ScoreCommand()
 
 void ScoreCommand::add_options(CLI::App& app) {
     app.add_option("--trajectory", trajectory_file_, "The estimate")->type_name("FILE.tum")->required();
-    auto* truth = app.add_option_group("truth", "One of these, or both");
-    truth->add_option("--reference", reference_file_, "True trajectory: ATE, RPE, Error_x, Error_y")
+    app.add_option("--reference", reference_file_, "True trajectory: ATE, RPE, Error_x, Error_y")
         ->type_name("FILE.tum");
-    truth->add_option("--relations", relations_file_, "True relative poses: t1 t2 x y z roll pitch yaw a line")
+    app.add_option("--relations", relations_file_, "True relative poses: t1 t2 x y z roll pitch yaw a line")
         ->type_name("FILE");
-    truth->require_option(1, 2);
     app.add_option("--plot", plot_file_, "Picture of both trajectories and of the error over time")
         ->type_name("FILE.png")
         ->needs("--reference");
     app.add_flag("--json", as_json_, "Print JSON instead of a table");
-    bind_option(app, "--align", "align", "Motion granted to the estimate first: none, first or se2 [se2]");
-    bind_option(app, "--max-time-difference", "max_time_difference_s", "Stamps this close are one moment [0.01 s]");
-    bind_option(app, "--rpe-delta", "rpe.delta", "How far apart the two poses of an RPE motion are [1]");
-    bind_option(app, "--rpe-unit", "rpe.unit", "Of the RPE delta: frames, metres or seconds [frames]");
+    bind_option(app, "--align", "align", "Motion granted to the estimate first: none, first or se2");
+    bind_option(app, "--max-time-difference", "max_time_difference_s",
+                "Stamps at most this many seconds apart are one moment");
+    bind_option(app, "--rpe-delta", "rpe.delta", "How far apart the two poses of an RPE motion are");
+    bind_option(app, "--rpe-unit", "rpe.unit", "Of the RPE delta: frames, metres or seconds");
 }
 
 Json ScoreCommand::default_settings() const {
@@ -74,26 +73,28 @@ Json ScoreCommand::default_settings() const {
 }
 
 ExitCode ScoreCommand::run(const Json& settings) {
+    if (reference_file_.empty() && relations_file_.empty()) {
+        throw UsageError("score: expected --reference, --relations or both");
+    }
     const ScoreOptions options = score_options(settings);
     const Trajectory estimate = read_poses(trajectory_file_);
     TrajectoryScore score;
     if (!reference_file_.empty()) {
         const Trajectory reference = read_poses(reference_file_);
         score = score_against(estimate, reference, options);
-        std::fprintf(stderr, "%zu of %zu poses have one of the reference's %zu within %g s\n",
-                     score.absolute->pairs.size(), estimate.size(), reference.size(),
-                     options.ate.max_time_difference_s);
+        log_info(std::to_string(score.absolute->pairs.size()) + " of " + std::to_string(estimate.size()) +
+                 " poses have a partner in the reference");
     }
     if (!relations_file_.empty()) {
         score.relations = read_and_score_relations(estimate, relations_file_, options.ate.max_time_difference_s);
     }
-    if (!plot_file_.empty()) {
+    if (score.absolute && !plot_file_.empty()) {
         plot::error_figure(*score.absolute).write_png(plot_file_);
     }
     std::cout << (as_json_ ? score_json(score).dump(2) + "\n" : score_table(score).text());
     if (score.relations && score.relations->skipped > 0) {
-        std::fprintf(stderr, "%s: %zu relations skipped, their times are not in the trajectory\n",
-                     relations_file_.c_str(), score.relations->skipped);
+        log_warning(relations_file_ + ": " + std::to_string(score.relations->skipped) +
+                    " relations skipped: their times are not in the trajectory");
         return ExitCode::done_with_loss;
     }
     return ExitCode::done;
