@@ -17,7 +17,7 @@ enum class Alignment {
 /// From "none", "first" or "se2"; throws UsageError otherwise.
 Alignment parse_alignment(std::string_view name);
 
-/// The motion that takes the estimate into the reference's frame. Throws Error when there are no pairs.
+/// The motion that takes the estimate into the reference's frame. There is at least one pair.
 /// se2 is Umeyama's solution in two dimensions in closed form: unlike the three-dimensional one it cannot answer a
 /// straight path with a reflection. The angle is 0 where the positions leave it open (all in one point).
 Pose2 reference_from_estimate(std::span<const PosePair> pairs, Alignment alignment);
