@@ -7,7 +7,7 @@
 #include "logs/mcap_fields.hpp"
 #include "mcap_support.hpp"
 
-namespace ddtool {
+namespace ddtool::test {
 namespace {
 
 using testing::ElementsAre;
@@ -174,4 +174,4 @@ TEST(McapReader, ATailOfZerosEndsTheReadingWithOneProblem) {
 }
 
 }  // namespace
-}  // namespace ddtool
+}  // namespace ddtool::test

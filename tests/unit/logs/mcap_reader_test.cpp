@@ -6,7 +6,7 @@
 #include "logs/mcap_fields.hpp"
 #include "mcap_support.hpp"
 
-namespace ddtool {
+namespace ddtool::test {
 namespace {
 
 using testing::ElementsAre;
@@ -137,4 +137,4 @@ TEST(McapReader, AMalformedRecordCostsItselfOnly) {
 }
 
 }  // namespace
-}  // namespace ddtool
+}  // namespace ddtool::test

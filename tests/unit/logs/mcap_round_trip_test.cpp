@@ -2,7 +2,7 @@
 
 #include "mcap_support.hpp"
 
-namespace ddtool {
+namespace ddtool::test {
 namespace {
 
 using testing::IsEmpty;
@@ -48,7 +48,8 @@ TEST_P(McapRoundTrip, AFileWithoutMessagesIsWhole) {
 }
 
 TEST(McapWriter, KeepsWhatItWasGiven) {
-    const auto path = test_path("one.mcap");
+    const TemporaryFolder folder;
+    const auto path = folder / "one.mcap";
     McapWriter writer(path);
     const auto first = writer.add_channel("/a", "json", "T", "jsonschema", "{}");
     const auto second = writer.add_channel("/b", "cdr", "", "", "");
@@ -63,7 +64,8 @@ TEST(McapWriter, KeepsWhatItWasGiven) {
 }
 
 TEST(McapWriter, LeavesNothingWithoutClose) {
-    const auto path = test_path("none.mcap");
+    const TemporaryFolder folder;
+    const auto path = folder / "none.mcap";
     {
         McapWriter writer(path);
         writer.write(writer.add_channel("/a", "json", "", "", ""), 1, bytes_of("{}"));
@@ -78,7 +80,8 @@ TEST(McapWriter, SaysWhichFileItCannotCreate) {
 }
 
 TEST(McapReader, FractionReadGrowsToOne) {
-    const auto path = test_path("file.mcap");
+    const TemporaryFolder folder;
+    const auto path = folder / "file.mcap";
     write_file(path, example_file({"", McapCompression::zstd, 500}, message_count));
     McapReader reader(path, [](const LogProblem&) {});
     double before = 0.0;
@@ -91,4 +94,4 @@ TEST(McapReader, FractionReadGrowsToOne) {
 }
 
 }  // namespace
-}  // namespace ddtool
+}  // namespace ddtool::test
