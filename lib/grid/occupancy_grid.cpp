@@ -1,0 +1,180 @@
+#include "grid/occupancy_grid.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace ddtool {
+namespace {
+
+constexpr int units = NearestPoint::units_per_cell;
+
+/// `offset` of a point from the centre of `from`, seen from the centre of `to`.
+NearestPoint moved(NearestPoint offset, Cell from, Cell to) {
+    return {static_cast<std::int8_t>(offset.x + units * (from.x - to.x)),
+            static_cast<std::int8_t>(offset.y + units * (from.y - to.y))};
+}
+
+int squared_length(NearestPoint point) { return point.x * point.x + point.y * point.y; }
+
+/// Whether the point seen from `cell` lies in `target`. Offsets within a cell are -16..15, so this is exact.
+bool lies_in(NearestPoint point, Cell cell, Cell target) {
+    return cell.x + ((point.x + units / 2) >> 5) == target.x && cell.y + ((point.y + units / 2) >> 5) == target.y;
+}
+
+template <class Visit>
+void for_each_around(Cell centre, Visit&& visit) {
+    for (int y = centre.y - OccupancyGrid::field_radius; y <= centre.y + OccupancyGrid::field_radius; ++y) {
+        for (int x = centre.x - OccupancyGrid::field_radius; x <= centre.x + OccupancyGrid::field_radius; ++x) {
+            visit(Cell{x, y});
+        }
+    }
+}
+
+}  // namespace
+
+OccupancyGrid::OccupancyGrid(const OccupancySettings& settings) : settings_(settings) {}
+
+void OccupancyGrid::reserve(const CellBox& box) {
+    const int first_column = (box.x_min - field_radius) >> Patch::size_bits;
+    const int first_row = (box.y_min - field_radius) >> Patch::size_bits;
+    const int end_column = ((box.x_max + field_radius) >> Patch::size_bits) + 1;
+    const int end_row = ((box.y_max + field_radius) >> Patch::size_bits) + 1;
+    if (columns_ > 0 && first_column >= first_column_ && first_row >= first_row_ &&
+        end_column <= first_column_ + columns_ && end_row <= first_row_ + rows_) {
+        return;
+    }
+    OccupancyGrid larger(settings_);
+    const bool fresh = columns_ == 0;
+    larger.first_column_ = fresh ? first_column : std::min(first_column, first_column_);
+    larger.first_row_ = fresh ? first_row : std::min(first_row, first_row_);
+    larger.columns_ = std::max(end_column, fresh ? end_column : first_column_ + columns_) - larger.first_column_;
+    larger.rows_ = std::max(end_row, fresh ? end_row : first_row_ + rows_) - larger.first_row_;
+    larger.patches_.resize(static_cast<std::size_t>(larger.columns_) * static_cast<std::size_t>(larger.rows_));
+    for (int row = 0; row < rows_; ++row) {
+        const auto source = patches_.begin() + static_cast<std::ptrdiff_t>(patch_index(0, row));
+        const std::size_t target =
+            larger.patch_index(first_column_ - larger.first_column_, first_row_ + row - larger.first_row_);
+        std::move(source, source + columns_, larger.patches_.begin() + static_cast<std::ptrdiff_t>(target));
+    }
+    *this = std::move(larger);
+}
+
+Patch& OccupancyGrid::writable_patch(Cell cell) {
+    const int column = (cell.x >> Patch::size_bits) - first_column_;
+    const int row = (cell.y >> Patch::size_bits) - first_row_;
+    return patches_[patch_index(column, row)].writable();
+}
+
+void OccupancyGrid::add_hit(Cell cell, NearestPoint offset) {
+    Patch& patch = writable_patch(cell);
+    const std::size_t local = Patch::local(cell.x, cell.y);
+    const int before = patch.log_odds[local] == Patch::unknown ? 0 : patch.log_odds[local];
+    const int after = std::min(before + settings_.hit_step, settings_.max_log_odds);
+    patch.log_odds[local] = static_cast<std::int8_t>(after);
+    if (after <= 0) {
+        return;
+    }
+    if (before > 0) {
+        // Running mean; the evidence collected so far stands in for the number of hits.
+        const NearestPoint mean = patch.nearest[local];
+        const float gain = static_cast<float>(settings_.hit_step) / static_cast<float>(before + settings_.hit_step);
+        const NearestPoint updated{static_cast<std::int8_t>(std::lrintf(static_cast<float>(mean.x) +
+                                                                        gain * static_cast<float>(offset.x - mean.x))),
+                                   static_cast<std::int8_t>(std::lrintf(static_cast<float>(mean.y) +
+                                                                        gain * static_cast<float>(offset.y - mean.y)))};
+        if (updated == mean) {
+            return;
+        }
+        offset = updated;
+    }
+    spread(cell, offset);
+}
+
+void OccupancyGrid::spread(Cell occupied_cell, NearestPoint offset) {
+    for_each_around(occupied_cell, [&](Cell cell) {
+        const NearestPoint candidate = moved(offset, occupied_cell, cell);
+        const Patch& patch = patch_at(cell);
+        const std::size_t local = Patch::local(cell.x, cell.y);
+        const NearestPoint present = patch.nearest[local];
+        // An occupied cell always points at its own mean: add_hit reads it there.
+        const bool replaces = cell == occupied_cell || present.none() || lies_in(present, cell, occupied_cell) ||
+                              (patch.log_odds[local] <= 0 && squared_length(candidate) < squared_length(present));
+        if (replaces && present != candidate) {
+            writable_patch(cell).nearest[local] = candidate;
+        }
+    });
+}
+
+void OccupancyGrid::add_free(int y, int x_begin, int x_end) {
+    for (int x = x_begin; x < x_end;) {
+        const int piece_end = std::min(x_end, (x | Patch::local_mask) + 1);
+        Patch& patch = writable_patch({x, y});
+        const std::size_t local = Patch::local(x, y);
+        std::int8_t* cells = patch.log_odds.data() + local;
+        const auto step = static_cast<std::int8_t>(settings_.free_step);
+        const auto floor = static_cast<std::int8_t>(settings_.min_log_odds);
+        int was_occupied = 0;
+        for (int i = 0; i < piece_end - x; ++i) {
+            const std::int8_t value = cells[i];
+            was_occupied |= static_cast<int>(value > 0);
+            const auto known = static_cast<std::int8_t>(value == Patch::unknown ? 0 : value);
+            cells[i] = std::max(floor, static_cast<std::int8_t>(known - step));
+        }
+        if (was_occupied != 0) {
+            for (int cell_x = x; cell_x < piece_end; ++cell_x) {
+                if (!occupied({cell_x, y}) && lies_in(nearest({cell_x, y}), {cell_x, y}, {cell_x, y})) {
+                    forget({cell_x, y});
+                }
+            }
+        }
+        x = piece_end;
+    }
+}
+
+void OccupancyGrid::forget(Cell freed_cell) {
+    for_each_around(freed_cell, [&](Cell cell) {
+        if (!nearest(cell).none() && lies_in(nearest(cell), cell, freed_cell)) {
+            const NearestPoint next = search_nearest(cell);
+            writable_patch(cell).nearest[Patch::local(cell.x, cell.y)] = next;
+        }
+    });
+}
+
+NearestPoint OccupancyGrid::search_nearest(Cell cell) const {
+    NearestPoint best;
+    for_each_around(cell, [&](Cell other) {
+        if (occupied(other)) {
+            const NearestPoint candidate = moved(nearest(other), other, cell);
+            if (best.none() || squared_length(candidate) < squared_length(best)) {
+                best = candidate;
+            }
+        }
+    });
+    return best;
+}
+
+CellBox OccupancyGrid::observed_box() const {
+    int left = columns_;
+    int right = 0;
+    int bottom = rows_;
+    int top = 0;
+    for (int row = 0; row < rows_; ++row) {
+        for (int column = 0; column < columns_; ++column) {
+            if (!patches_[patch_index(column, row)].empty()) {
+                left = std::min(left, column);
+                right = std::max(right, column + 1);
+                bottom = std::min(bottom, row);
+                top = std::max(top, row + 1);
+            }
+        }
+    }
+    if (left >= right) {
+        return {};
+    }
+    const auto cells = [](int patches) { return patches * Patch::size_cells; };
+    return {cells(first_column_ + left), cells(first_row_ + bottom), cells(first_column_ + right),
+            cells(first_row_ + top)};
+}
+
+}  // namespace ddtool

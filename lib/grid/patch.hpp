@@ -1,0 +1,86 @@
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+
+namespace ddtool {
+
+/// Where the nearest occupied point lies as seen from a cell's centre, in 1/32 cell.
+struct NearestPoint {
+    static constexpr std::int8_t none_mark = -128;
+    static constexpr int units_per_cell = 32;
+
+    std::int8_t x = none_mark;
+    std::int8_t y = 0;
+
+    [[nodiscard]] bool none() const { return x == none_mark; }
+    bool operator==(const NearestPoint&) const = default;
+};
+
+/// A square of cells that particles share until one of them writes.
+struct Patch {
+    static constexpr int size_bits = 5;
+    static constexpr int size_cells = 1 << size_bits;
+    static constexpr int local_mask = size_cells - 1;
+    static constexpr std::int8_t unknown = -128;
+    static constexpr std::size_t cell_count = static_cast<std::size_t>(size_cells) * size_cells;
+
+    Patch() { log_odds.fill(unknown); }
+    Patch(const Patch& other) : log_odds(other.log_odds), nearest(other.nearest) {}
+    Patch& operator=(const Patch&) = delete;
+    ~Patch() = default;
+
+    /// Place of a cell in the arrays, from its coordinates in the whole grid.
+    static std::size_t local(int cell_x, int cell_y) {
+        return static_cast<std::size_t>((cell_y & local_mask) * size_cells + (cell_x & local_mask));
+    }
+
+    std::array<std::int8_t, cell_count> log_odds;
+    std::array<NearestPoint, cell_count> nearest{};
+    std::atomic<std::uint32_t> owners = 1;
+};
+
+/// Shared ownership of a Patch, one pointer wide. Unlike with std::shared_ptr, unique() synchronises with the release
+/// of the other owners, so that a thread that finds itself the only owner may write.
+class PatchPointer {
+public:
+    PatchPointer() noexcept : patch_(empty_patch()) { add_owner(); }
+    PatchPointer(const PatchPointer& other) noexcept : patch_(other.patch_) { add_owner(); }
+    PatchPointer(PatchPointer&& other) noexcept : patch_(std::exchange(other.patch_, nullptr)) {}
+    PatchPointer& operator=(PatchPointer other) noexcept {
+        std::swap(patch_, other.patch_);
+        return *this;
+    }
+    ~PatchPointer() { release(); }
+
+    const Patch& operator*() const { return *patch_; }
+    const Patch* operator->() const { return patch_; }
+    [[nodiscard]] bool empty() const { return patch_ == empty_patch(); }
+
+    /// The patch to write to: the shared one is copied first.
+    Patch& writable() {
+        if (patch_->owners.load(std::memory_order_acquire) != 1) {
+            *this = PatchPointer(new Patch(*patch_));
+        }
+        return *patch_;
+    }
+
+private:
+    explicit PatchPointer(Patch* patch) noexcept : patch_(patch) {}
+    void add_owner() noexcept { patch_->owners.fetch_add(1, std::memory_order_relaxed); }
+    void release() noexcept {
+        if (patch_ != nullptr && patch_->owners.fetch_sub(1, std::memory_order_acq_rel) == 1) {
+            delete patch_;
+        }
+    }
+    /// Stands for unknown ground everywhere; it always has one more owner, so nobody writes to it.
+    static Patch* empty_patch() noexcept { return empty_; }
+    static Patch* const empty_;
+
+    Patch* patch_;
+};
+
+}  // namespace ddtool

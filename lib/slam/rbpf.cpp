@@ -1,0 +1,229 @@
+#include "slam/rbpf.hpp"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "particles/weights.hpp"
+
+namespace ddtool {
+namespace {
+
+/// Purposes of random streams, so that no two draws share one.
+enum Purpose : std::uint64_t { motion_draw = 1, resampling_draw = 2 };
+
+/// How far the robot moved, in update thresholds.
+double motion_share(const Pose2& motion, const RbpfSettings& settings) {
+    return std::max(std::hypot(motion.x_m, motion.y_m) / settings.update_distance_m,
+                    std::abs(motion.theta_rad) / settings.update_turn_rad);
+}
+
+PosePrior prior_of(const Pose2& odometry_motion, const RbpfSettings& settings) {
+    constexpr double least_m = 0.005;
+    constexpr double least_rad = 0.002;
+    const MotionSigmas sigmas = motion_sigmas(odometry_motion, settings.motion);
+    return {settings.prior_scale * sigmas.x_m + least_m, settings.prior_scale * sigmas.y_m + least_m,
+            settings.prior_scale * sigmas.theta_rad + least_rad};
+}
+
+}  // namespace
+
+Rbpf::Rbpf(const RbpfSettings& settings, ThreadPool& threads, FilterStrategies strategies)
+    : settings_(settings), threads_(threads), strategies_(std::move(strategies)) {
+    for (std::size_t worker = 0; worker < threads_.size(); ++worker) {
+        workers_.push_back({ScanMatcher(settings_.matcher, settings_.grid.cell_size_m), ScanInserter()});
+    }
+}
+
+bool Rbpf::process(const SensorFrame& frame) {
+    const bool first = particles_.empty();
+    const Pose2 motion = first ? Pose2{} : between(odom_at_update_, frame.odom_from_robot);
+    const double share = motion_share(motion, settings_);
+    const bool moved = first || share >= 1.0;
+    if (first) {
+        start(frame);
+    } else if (moved) {
+        update(frame, motion);
+    }
+    if (moved) {
+        odom_at_update_ = frame.odom_from_robot;
+        odometry_motions_.push_back(motion);
+        ++updates_;
+    }
+    scans_.push_back({frame.scan.stamp_ns, updates_ - 1, moved ? Pose2{} : motion, moved ? 0.0 : share});
+    return moved;
+}
+
+void Rbpf::start(const SensorFrame& frame) {
+    const Particle first{.pose = frame.odom_from_robot,
+                         .predicted_motion = {},
+                         .matched_motion = {},
+                         .match = {},
+                         .history = PoseHistory::none,
+                         .grid = OccupancyGrid(settings_.grid)};
+    particles_.assign(settings_.particles, first);
+    insert_scan(scan_points(frame, settings_.points), frame.odom_from_robot);
+    remember();
+}
+
+void Rbpf::update(const SensorFrame& frame, const Pose2& odometry_motion) {
+    ScanPoints points;
+    MatchPoints match_points;
+    {
+        const StageTimer timer(times_.prepare_s);
+        points = scan_points(frame, settings_.points);
+        match_points = MatchPoints(points, settings_.grid.cell_size_m);
+    }
+    predict_and_match(match_points, odometry_motion);
+    ParticleSnapshot swarm = snapshot(frame.scan.stamp_ns, odometry_motion);
+    Degeneracy degeneracy;
+    if (strategies_.detector) {
+        const StageTimer timer(times_.detect_s);
+        degeneracy = strategies_.detector(swarm);
+    }
+    if (sink_) {
+        sink_(swarm, degeneracy);
+    }
+    if (strategies_.correction) {
+        correct(match_points, odometry_motion, degeneracy);
+        swarm = snapshot(frame.scan.stamp_ns, odometry_motion);
+    }
+    resample_if_poor(swarm, degeneracy);
+    const Pose2 since = between(odom_at_insertion_, frame.odom_from_robot);
+    if (std::hypot(since.x_m, since.y_m) >= settings_.insert_distance_m ||
+        std::abs(since.theta_rad) >= settings_.insert_turn_rad) {
+        insert_scan(points, frame.odom_from_robot);
+    }
+    remember();
+}
+
+void Rbpf::predict_and_match(const MatchPoints& points, const Pose2& odometry_motion) {
+    const StageTimer timer(times_.match_s);
+    const PosePrior prior = prior_of(odometry_motion, settings_);
+    threads_.for_each(particles_.size(), [&](std::size_t index, std::size_t worker) {
+        Particle& particle = particles_[index];
+        ScanMatcher& matcher = workers_[worker].matcher;
+        RandomStream random({settings_.seed, motion_draw, updates_, index});
+        particle.predicted_motion = sample_motion(odometry_motion, settings_.motion, random);
+        const Pose2 from = particle.pose;
+        const Pose2 predicted = from * particle.predicted_motion;
+        settle(particle, from, points, matcher, matcher.match(particle.grid, points, predicted, prior), predicted);
+        particle.log_likelihood += particle.log_likelihood_increment;
+        particle.log_weight = settings_.likelihood_gain * particle.log_likelihood;
+    });
+}
+
+/// Takes a match for the particle's pose, or the prediction where the match is none.
+void Rbpf::settle(Particle& particle, const Pose2& from, const MatchPoints& points, ScanMatcher& matcher,
+                  const ScanMatch& match, const Pose2& predicted) const {
+    particle.match = match;
+    if (match.score < settings_.min_match_score) {
+        particle.match.pose = predicted;
+    }
+    particle.pose = particle.match.pose;
+    particle.matched_motion = between(from, particle.pose);
+    particle.log_likelihood_increment = matcher.log_likelihood(particle.grid, points, particle.pose);
+}
+
+ParticleSnapshot Rbpf::snapshot(std::int64_t stamp_ns, const Pose2& odometry_motion) const {
+    std::vector<double> log_weights;
+    for (const Particle& particle : particles_) {
+        log_weights.push_back(particle.log_weight);
+    }
+    const std::vector<double> weights = normalised_weights(log_weights);
+    ParticleSnapshot swarm{stamp_ns, updates_, odometry_motion, {}};
+    for (std::size_t index = 0; index < particles_.size(); ++index) {
+        const Particle& particle = particles_[index];
+        swarm.particles.push_back({particle.pose, particle.matched_motion, particle.predicted_motion,
+                                   particle.log_likelihood, particle.log_likelihood_increment, particle.match.score,
+                                   weights[index]});
+    }
+    return swarm;
+}
+
+void Rbpf::correct(const MatchPoints& points, const Pose2& odometry_motion, const Degeneracy& degeneracy) {
+    const StageTimer timer(times_.correct_s);
+    const PosePrior prior = prior_of(odometry_motion, settings_);
+    threads_.for_each(particles_.size(), [&](std::size_t index, std::size_t worker) {
+        Particle& particle = particles_[index];
+        ScanMatcher& matcher = workers_[worker].matcher;
+        const Pose2 from = particle.pose * inverse(particle.matched_motion);
+        const MatchContext context{
+            matcher, particle.grid, points, from * particle.predicted_motion, from * odometry_motion, prior};
+        const double before = particle.log_likelihood_increment;
+        settle(particle, from, points, matcher, strategies_.correction->correct(context, particle.match, degeneracy),
+               context.predicted);
+        particle.log_likelihood += particle.log_likelihood_increment - before;
+        particle.log_weight = settings_.likelihood_gain * particle.log_likelihood;
+    });
+}
+
+void Rbpf::resample_if_poor(const ParticleSnapshot& swarm, const Degeneracy& degeneracy) {
+    const StageTimer timer(times_.resample_s);
+    std::vector<double> weights;
+    for (const SnapshotParticle& particle : swarm.particles) {
+        weights.push_back(particle.weight);
+    }
+    if (effective_sample_size(weights) >= settings_.resample_share * static_cast<double>(particles_.size())) {
+        return;
+    }
+    RandomStream random({settings_.seed, resampling_draw, updates_});
+    std::vector<Particle> next;
+    next.reserve(particles_.size());
+    for (const Descendant& descendant : strategies_.resampling->resample(swarm.particles, degeneracy, random)) {
+        next.push_back(particles_[descendant.parent]);
+        next.back().pose = descendant.pose;
+        next.back().log_weight = 0.0;
+        next.back().log_likelihood = 0.0;
+        history_.acquire(next.back().history);
+    }
+    for (const Particle& particle : particles_) {
+        history_.release(particle.history);
+    }
+    particles_ = std::move(next);
+    ++resamplings_;
+}
+
+void Rbpf::insert_scan(const ScanPoints& points, const Pose2& odom_from_robot) {
+    const StageTimer timer(times_.map_s);
+    odom_at_insertion_ = odom_from_robot;
+    threads_.for_each(particles_.size(), [&](std::size_t index, std::size_t worker) {
+        workers_[worker].inserter.insert(particles_[index].grid, points, particles_[index].pose);
+    });
+}
+
+void Rbpf::remember() {
+    for (Particle& particle : particles_) {
+        const PoseHistory::Node parent = particle.history;
+        particle.history = history_.add(parent, particle.pose);
+        history_.release(parent);
+    }
+}
+
+const Particle& Rbpf::best() const {
+    return *std::max_element(particles_.begin(), particles_.end(),
+                             [](const Particle& a, const Particle& b) { return a.log_weight < b.log_weight; });
+}
+
+Pose2 Rbpf::pose() const { return best().pose * scans_.back().motion; }
+
+/// Between two updates the odometry is followed, and what the second update corrected is spread over the way.
+Trajectory Rbpf::trajectory() const {
+    if (particles_.empty()) {
+        return {};
+    }
+    const std::vector<Pose2> poses = history_.path(best().history);
+    Trajectory trajectory;
+    for (const ScanRecord& scan : scans_) {
+        Pose2 correction;
+        if (scan.update + 1 < poses.size()) {
+            const Pose2 by_odometry = poses[scan.update] * odometry_motions_[scan.update + 1];
+            correction = interpolate({}, between(by_odometry, poses[scan.update + 1]), scan.share);
+        }
+        trajectory.push_back({scan.stamp_ns, poses[scan.update] * scan.motion * correction});
+    }
+    return trajectory;
+}
+
+}  // namespace ddtool

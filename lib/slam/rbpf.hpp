@@ -1,0 +1,118 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "base/thread_pool.hpp"
+#include "geometry/trajectory.hpp"
+#include "grid/scan_insertion.hpp"
+#include "particles/motion_model.hpp"
+#include "particles/particle_snapshot.hpp"
+#include "sensor/sensor_stream.hpp"
+#include "slam/pose_history.hpp"
+#include "slam/stage_times.hpp"
+#include "slam/strategies.hpp"
+
+namespace ddtool {
+
+struct RbpfSettings {
+    std::size_t particles = 30;
+    std::uint64_t seed = 1;
+    double update_distance_m = 0.1;  ///< the filter updates after this much odometry motion
+    double update_turn_rad = 0.1;    ///< or this much turning
+    double resample_share = 0.5;     ///< resample when the effective sample size falls below this share of particles
+    /// Exponent on the scan's likelihood: neighbouring beams and scans err together, so their product is too sure.
+    double likelihood_gain = 0.02;
+    /// A match with a lower mean beam score is no match: the particle keeps its predicted pose.
+    double min_match_score = 0.1;
+    /// Scans enter the map after this much motion or turning since the last that did.
+    double insert_distance_m = 0.3;
+    double insert_turn_rad = 0.3;
+    /// The prior's standard deviations as multiples of the motion noise.
+    double prior_scale = 1.0;
+    MotionNoise motion;
+    OccupancySettings grid;
+    ScanPointsSettings points;
+    ScanMatcherSettings matcher;
+};
+
+struct Particle {
+    Pose2 pose;  ///< world_from_robot
+    Pose2 predicted_motion;
+    Pose2 matched_motion;
+    ScanMatch match;
+    double log_weight = 0.0;  ///< gain times log_likelihood
+    double log_likelihood = 0.0;
+    double log_likelihood_increment = 0.0;
+    PoseHistory::Node history = PoseHistory::none;
+    OccupancyGrid grid;
+};
+
+/// Rao-Blackwellised particle filter with one grid map a particle (Grisetti, Stachniss, Burgard, "Improved techniques
+/// for grid mapping with Rao-Blackwellized particle filters", IEEE T-RO 2007). The same seed gives the same bytes on
+/// any number of threads.
+class Rbpf {
+public:
+    using SnapshotSink = std::function<void(const ParticleSnapshot&, const Degeneracy&)>;
+
+    Rbpf(const RbpfSettings& settings, ThreadPool& threads, FilterStrategies strategies = {});
+
+    /// Called with every snapshot, before resampling.
+    void on_snapshot(SnapshotSink sink) { sink_ = std::move(sink); }
+
+    /// Takes the next scan; true if it moved the filter, false if the robot has hardly moved since the last update.
+    bool process(const SensorFrame& frame);
+
+    [[nodiscard]] std::span<const Particle> particles() const { return particles_; }
+    /// The particle of the largest weight.
+    [[nodiscard]] const Particle& best() const;
+    /// world_from_robot at the latest scan, by the best particle.
+    [[nodiscard]] Pose2 pose() const;
+    /// A pose for every scan so far, from the history of the best particle.
+    [[nodiscard]] Trajectory trajectory() const;
+    [[nodiscard]] std::uint64_t updates() const { return updates_; }
+    [[nodiscard]] std::uint64_t resamplings() const { return resamplings_; }
+    [[nodiscard]] const StageTimes& times() const { return times_; }
+
+private:
+    struct ScanRecord {
+        std::int64_t stamp_ns = 0;
+        std::uint64_t update = 0;  ///< the last update at or before the scan
+        Pose2 motion;              ///< odometry since that update, in the robot's frame there
+        double share = 0.0;        ///< of the way to the next update
+    };
+    struct Worker {
+        ScanMatcher matcher;
+        ScanInserter inserter;
+    };
+
+    void start(const SensorFrame& frame);
+    void update(const SensorFrame& frame, const Pose2& odometry_motion);
+    void predict_and_match(const MatchPoints& points, const Pose2& odometry_motion);
+    [[nodiscard]] ParticleSnapshot snapshot(std::int64_t stamp_ns, const Pose2& odometry_motion) const;
+    void correct(const MatchPoints& points, const Pose2& odometry_motion, const Degeneracy& degeneracy);
+    void settle(Particle& particle, const Pose2& from, const MatchPoints& points, ScanMatcher& matcher,
+                const ScanMatch& match, const Pose2& predicted) const;
+    void resample_if_poor(const ParticleSnapshot& swarm, const Degeneracy& degeneracy);
+    void insert_scan(const ScanPoints& points, const Pose2& odom_from_robot);
+    void remember();
+
+    RbpfSettings settings_;
+    ThreadPool& threads_;
+    FilterStrategies strategies_;
+    SnapshotSink sink_;
+    std::vector<Worker> workers_;
+    std::vector<Particle> particles_;
+    PoseHistory history_;
+    std::vector<ScanRecord> scans_;
+    std::vector<Pose2> odometry_motions_;  ///< odometry motion before each update
+    Pose2 odom_at_update_;
+    Pose2 odom_at_insertion_;
+    std::uint64_t updates_ = 0;
+    std::uint64_t resamplings_ = 0;
+    StageTimes times_;
+};
+
+}  // namespace ddtool

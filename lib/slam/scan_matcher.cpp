@@ -1,0 +1,326 @@
+#include "slam/scan_matcher.hpp"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "base/lanes.hpp"
+
+namespace ddtool {
+namespace {
+
+constexpr std::size_t search_stride = 3;
+
+struct Rotation {
+    float c, s;
+    explicit Rotation(double theta_rad)
+        : c(static_cast<float>(std::cos(theta_rad))), s(static_cast<float>(std::sin(theta_rad))) {}
+};
+
+/// A pose in cells, with the whole part apart so that floats keep their precision far from the origin.
+struct CellPose {
+    int x0, y0;
+    float x, y;
+    CellPose(const Pose2& pose, double cell_size_m)
+        : x0(static_cast<int>(std::floor(pose.x_m / cell_size_m))),
+          y0(static_cast<int>(std::floor(pose.y_m / cell_size_m))),
+          x(static_cast<float>(pose.x_m / cell_size_m - x0)),
+          y(static_cast<float>(pose.y_m / cell_size_m - y0)) {}
+};
+
+/// End points of one block of beams, relative to the corner of the cell (x0, y0).
+DDTOOL_VECTORISED void project_block(const float* x, const float* y, float c, float s, float tx, float ty, float* out_x,
+                                     float* out_y) {
+    Lanes px;
+    Lanes py;
+    load(px, x);
+    load(py, y);
+    store(out_x, c * px - s * py + tx);
+    store(out_y, s * px + c * py + ty);
+}
+
+struct BeamArrays {
+    const float* x;
+    const float* y;
+    const float* normal_x;
+    const float* normal_y;
+    const float* along_weight;
+    const float* counts;
+    const float* residual_x;
+    const float* residual_y;
+    const float* found;
+};
+
+/// Sums over beams of the normal equations' parts, in the order of Sums below.
+enum Sum : std::size_t { xx, xy, xt, yy, yt, tt, gx, gy, gt, total_score, sum_count };
+using Sums = std::array<double, sum_count>;
+
+/// Squared distance across the surface plus its weighted part along it.
+struct Distance {
+    Lanes nx, ny, across, along, q;
+};
+
+inline __attribute__((always_inline)) void measure(const BeamArrays& b, std::size_t i, float c, float s, Distance& d) {
+    Lanes nx;
+    Lanes ny;
+    Lanes ex;
+    Lanes ey;
+    Lanes along_weight;
+    load(nx, b.normal_x + i);
+    load(ny, b.normal_y + i);
+    load(ex, b.residual_x + i);
+    load(ey, b.residual_y + i);
+    load(along_weight, b.along_weight + i);
+    d.nx = c * nx - s * ny;
+    d.ny = s * nx + c * ny;
+    d.across = d.nx * ex + d.ny * ey;
+    d.along = d.nx * ey - d.ny * ex;
+    d.q = d.across * d.across + along_weight * d.along * d.along;
+}
+
+/// (1 - q / reach^2), not below zero; zero for beams that end near nothing.
+inline __attribute__((always_inline)) void closeness(const BeamArrays& b, std::size_t i, const Lanes& q,
+                                                     float inverse_reach2, Lanes& result) {
+    Lanes found;
+    load(found, b.found + i);
+    const Lanes zero{};
+    const Lanes raw = 1.0F - q * inverse_reach2;
+    result = (raw > zero ? raw : zero) * found;
+}
+
+DDTOOL_VECTORISED void add_normal_equations(const BeamArrays& b, std::size_t beams, float c, float s,
+                                            float inverse_reach2, Sums& sums) {
+    std::array<Lanes, sum_count> total{};
+    for (std::size_t i = 0; i < beams; i += lane_count) {
+        Distance d;
+        Lanes x;
+        Lanes y;
+        Lanes near_by;
+        Lanes along_weight;
+        measure(b, i, c, s, d);
+        closeness(b, i, d.q, inverse_reach2, near_by);
+        load(x, b.x + i);
+        load(y, b.y + i);
+        load(along_weight, b.along_weight + i);
+        const Lanes weight = near_by * near_by;
+        const Lanes lever_x = -(s * x + c * y);  // d(end point)/d(theta)
+        const Lanes lever_y = c * x - s * y;
+        const Lanes across_t = d.nx * lever_x + d.ny * lever_y;
+        const Lanes along_t = d.nx * lever_y - d.ny * lever_x;
+        const Lanes w_along = weight * along_weight;
+        total[xx] += weight * d.nx * d.nx + w_along * d.ny * d.ny;
+        total[xy] += weight * d.nx * d.ny - w_along * d.nx * d.ny;
+        total[yy] += weight * d.ny * d.ny + w_along * d.nx * d.nx;
+        total[xt] += weight * d.nx * across_t - w_along * d.ny * along_t;
+        total[yt] += weight * d.ny * across_t + w_along * d.nx * along_t;
+        total[tt] += weight * across_t * across_t + w_along * along_t * along_t;
+        total[gx] += weight * d.nx * d.across - w_along * d.ny * d.along;
+        total[gy] += weight * d.ny * d.across + w_along * d.nx * d.along;
+        total[gt] += weight * across_t * d.across + w_along * along_t * d.along;
+        total[total_score] += near_by * weight;
+    }
+    for (std::size_t k = 0; k < sum_count; ++k) {
+        sums[k] = sum_of(total[k]);
+    }
+}
+
+DDTOOL_VECTORISED double sum_of_scores(const BeamArrays& b, std::size_t beams, std::size_t stride, float c, float s,
+                                       float inverse_reach2) {
+    Lanes total{};
+    for (std::size_t i = 0; i < beams; i += stride * lane_count) {
+        Distance d;
+        Lanes near_by;
+        measure(b, i, c, s, d);
+        closeness(b, i, d.q, inverse_reach2, near_by);
+        total += near_by * near_by * near_by;
+    }
+    return sum_of(total);
+}
+
+DDTOOL_VECTORISED double sum_of_log_likelihoods(const BeamArrays& b, std::size_t beams, float c, float s,
+                                                float inverse_two_sigma2, float miss) {
+    Lanes total{};
+    for (std::size_t i = 0; i < beams; i += lane_count) {
+        Distance d;
+        Lanes counts;
+        Lanes found;
+        measure(b, i, c, s, d);
+        load(counts, b.counts + i);
+        load(found, b.found + i);
+        const Lanes most = Lanes{} + miss;
+        const Lanes scaled = d.q * inverse_two_sigma2 * found + most * (1.0F - found);
+        total -= (scaled < most ? scaled : most) * counts;
+    }
+    return sum_of(total);
+}
+
+BeamArrays arrays_of(const MatchPoints& points, const Residuals& residuals) {
+    return {points.x.data(),
+            points.y.data(),
+            points.normal_x.data(),
+            points.normal_y.data(),
+            points.along_weight.data(),
+            points.counts.data(),
+            residuals.x.data(),
+            residuals.y.data(),
+            residuals.found.data()};
+}
+
+std::vector<float> padded(const std::vector<float>& values, double scale) {
+    std::vector<float> result(round_up_to_lanes(values.size()), 0.0F);
+    std::transform(values.begin(), values.end(), result.begin(),
+                   [&](float value) { return static_cast<float>(static_cast<double>(value) * scale); });
+    return result;
+}
+
+Eigen::Matrix3d information_of(const PosePrior& prior, double theta_rad) {
+    Eigen::Matrix3d world_from_robot = Eigen::Matrix3d::Identity();
+    const double c = std::cos(theta_rad);
+    const double s = std::sin(theta_rad);
+    world_from_robot.topLeftCorner<2, 2>() << c, -s, s, c;
+    const Eigen::Vector3d sigma(prior.sigma_along_m, prior.sigma_across_m, prior.sigma_turn_rad);
+    return world_from_robot * sigma.cwiseAbs2().cwiseInverse().asDiagonal() * world_from_robot.transpose();
+}
+
+}  // namespace
+
+MatchPoints::MatchPoints(const ScanPoints& points, double cell_size_m)
+    : x(padded(points.x_m, 1.0 / cell_size_m)),
+      y(padded(points.y_m, 1.0 / cell_size_m)),
+      normal_x(padded(points.normal_x, 1.0)),
+      normal_y(padded(points.normal_y, 1.0)),
+      along_weight(padded(points.along_weight, 1.0)),
+      counts(padded(std::vector<float>(points.size(), 1.0F), 1.0)),
+      beams(points.size()) {}
+
+ScanMatcher::ScanMatcher(const ScanMatcherSettings& settings, double cell_size_m)
+    : settings_(settings), cell_size_m_(cell_size_m) {}
+
+void ScanMatcher::find_residuals(const OccupancyGrid& grid, const MatchPoints& points, const Pose2& pose,
+                                 std::size_t stride) {
+    const Rotation rotation(pose.theta_rad);
+    const CellPose origin(pose, cell_size_m_);
+    residuals_.x.resize(points.x.size());
+    residuals_.y.resize(points.x.size());
+    residuals_.found.resize(points.x.size());
+    for (std::size_t block = 0; block < points.x.size(); block += stride * lane_count) {
+        float* ex = residuals_.x.data() + block;
+        float* ey = residuals_.y.data() + block;
+        project_block(points.x.data() + block, points.y.data() + block, rotation.c, rotation.s, origin.x, origin.y, ex,
+                      ey);
+        for (std::size_t lane = 0; lane < lane_count; ++lane) {
+            const float floor_x = std::floor(ex[lane]);
+            const float floor_y = std::floor(ey[lane]);
+            const NearestPoint nearest =
+                grid.nearest({origin.x0 + static_cast<int>(floor_x), origin.y0 + static_cast<int>(floor_y)});
+            constexpr float unit = 1.0F / NearestPoint::units_per_cell;
+            ex[lane] -= floor_x + 0.5F + unit * (static_cast<float>(nearest.x) + 0.5F);
+            ey[lane] -= floor_y + 0.5F + unit * (static_cast<float>(nearest.y) + 0.5F);
+            residuals_.found[block + lane] = nearest.none() ? 0.0F : points.counts[block + lane];
+        }
+    }
+}
+
+ScanMatcher::Normal ScanMatcher::normal_equations(const MatchPoints& points, double theta_rad) const {
+    const Rotation rotation(theta_rad);
+    const double reach_cells = settings_.reach_m / cell_size_m_;
+    Sums sums{};
+    add_normal_equations(arrays_of(points, residuals_), points.x.size(), rotation.c, rotation.s,
+                         static_cast<float>(1.0 / (reach_cells * reach_cells)), sums);
+    // From cells to metres, and from squared residuals to information.
+    const double per_m2 = 1.0 / (settings_.beam_sigma_m * settings_.beam_sigma_m);
+    const double m = cell_size_m_;
+    Normal normal;
+    normal.hessian << sums[xx], sums[xy], m * sums[xt],  //
+        sums[xy], sums[yy], m * sums[yt],                //
+        m * sums[xt], m * sums[yt], m * m * sums[tt];
+    normal.hessian *= per_m2;
+    normal.gradient = per_m2 * m * Eigen::Vector3d(sums[gx], sums[gy], m * sums[gt]);
+    normal.score = sums[total_score] / static_cast<double>(std::max<std::size_t>(points.beams, 1));
+    return normal;
+}
+
+ScanMatch ScanMatcher::refine(const OccupancyGrid& grid, const MatchPoints& points, const Pose2& start,
+                              const Pose2& predicted, const Eigen::Matrix3d& prior_information) {
+    ScanMatch match;
+    match.pose = start;
+    for (int iteration = 0; iteration < settings_.max_iterations; ++iteration) {
+        find_residuals(grid, points, match.pose, 1);
+        const Normal normal = normal_equations(points, match.pose.theta_rad);
+        match.score = normal.score;
+        match.information = normal.hessian;
+        const Eigen::Vector3d from_prediction(match.pose.x_m - predicted.x_m, match.pose.y_m - predicted.y_m,
+                                              wrap_angle(match.pose.theta_rad - predicted.theta_rad));
+        const Eigen::Matrix3d system = normal.hessian + prior_information;
+        const Eigen::Vector3d step = -system.ldlt().solve(normal.gradient + prior_information * from_prediction);
+        match.pose = {match.pose.x_m + step.x(), match.pose.y_m + step.y(),
+                      wrap_angle(match.pose.theta_rad + step.z())};
+        if (step.head<2>().norm() < 1e-3 && std::abs(step.z()) < 5e-4) {
+            break;
+        }
+    }
+    return match;
+}
+
+Pose2 ScanMatcher::search(const OccupancyGrid& grid, const MatchPoints& points, const Pose2& start) {
+    Pose2 best = start;
+    double best_score = score(grid, points, start, search_stride);
+    const auto consider = [&](const Pose2& pose) {
+        const double pose_score = score(grid, points, pose, search_stride);
+        if (pose_score > best_score) {
+            best_score = pose_score;
+            best = pose;
+        }
+    };
+    constexpr int turn_steps = 10;
+    constexpr int distance_steps = 3;
+    for (int round = 0; round < 2; ++round) {
+        const double scale = round == 0 ? 1.0 : 0.4;
+        const Pose2 turn_centre = best;
+        for (int turn = -turn_steps; turn <= turn_steps; ++turn) {
+            const double angle = scale * settings_.search_turn_rad * turn / turn_steps;
+            consider({turn_centre.x_m, turn_centre.y_m, wrap_angle(turn_centre.theta_rad + angle)});
+        }
+        const Pose2 centre = best;
+        const double step_m = scale * settings_.search_distance_m / distance_steps;
+        for (int x = -distance_steps; x <= distance_steps; ++x) {
+            for (int y = -distance_steps; y <= distance_steps; ++y) {
+                consider({centre.x_m + x * step_m, centre.y_m + y * step_m, centre.theta_rad});
+            }
+        }
+    }
+    return best;
+}
+
+ScanMatch ScanMatcher::match(const OccupancyGrid& grid, const MatchPoints& points, const Pose2& initial,
+                             const PosePrior& prior) {
+    const Eigen::Matrix3d prior_information = information_of(prior, initial.theta_rad);
+    ScanMatch direct = refine(grid, points, initial, initial, prior_information);
+    if (direct.score >= settings_.doubtful_score) {
+        return direct;
+    }
+    const ScanMatch searched = refine(grid, points, search(grid, points, initial), initial, prior_information);
+    return searched.score > direct.score ? searched : direct;
+}
+
+double ScanMatcher::score(const OccupancyGrid& grid, const MatchPoints& points, const Pose2& pose, std::size_t stride) {
+    find_residuals(grid, points, pose, stride);
+    const Rotation rotation(pose.theta_rad);
+    const double reach_cells = settings_.reach_m / cell_size_m_;
+    const double sum = sum_of_scores(arrays_of(points, residuals_), points.x.size(), stride, rotation.c, rotation.s,
+                                     static_cast<float>(1.0 / (reach_cells * reach_cells)));
+    return sum / static_cast<double>(std::max<std::size_t>(points.beams, 1));
+}
+
+double ScanMatcher::log_likelihood(const OccupancyGrid& grid, const MatchPoints& points, const Pose2& pose) {
+    find_residuals(grid, points, pose, 1);
+    const Rotation rotation(pose.theta_rad);
+    const double sigma_cells = settings_.beam_sigma_m / cell_size_m_;
+    const double reach_cells = settings_.reach_m / cell_size_m_;
+    const double inverse = 1.0 / (2.0 * sigma_cells * sigma_cells);
+    return sum_of_log_likelihoods(arrays_of(points, residuals_), points.x.size(), rotation.c, rotation.s,
+                                  static_cast<float>(inverse), static_cast<float>(reach_cells * reach_cells * inverse));
+}
+
+}  // namespace ddtool
