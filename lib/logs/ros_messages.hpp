@@ -1,0 +1,144 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+/// The ROS messages that are read and written, as plain structs named and laid out as their definitions say
+/// (https://docs.ros.org, common_interfaces). Each lists its fields once, in the order of its definition, for all
+/// codecs: fields(message, archive) calls archive(field, ...). Lengths are metres, angles radians.
+namespace ddtool::ros {
+
+/// Seconds and nanoseconds on the wire.
+struct Time {
+    std::int64_t ns = 0;
+};
+
+struct Header {
+    static constexpr const char* type_name = "std_msgs/msg/Header";
+    Time stamp;
+    std::string frame_id;
+
+    static void fields(auto& message, auto& archive) { archive(message.stamp, message.frame_id); }
+};
+
+/// geometry_msgs Point too, which has the same fields.
+struct Vector3 {
+    double x = 0.0;
+    double y = 0.0;
+    double z = 0.0;
+
+    static void fields(auto& message, auto& archive) { archive(message.x, message.y, message.z); }
+};
+
+struct Quaternion {
+    double x = 0.0;
+    double y = 0.0;
+    double z = 0.0;
+    double w = 1.0;
+
+    static void fields(auto& message, auto& archive) { archive(message.x, message.y, message.z, message.w); }
+};
+
+/// geometry_msgs Transform too, which has the same fields: translation and rotation.
+struct Pose {
+    Vector3 position;
+    Quaternion orientation;
+
+    static void fields(auto& message, auto& archive) { archive(message.position, message.orientation); }
+};
+
+struct TransformStamped {
+    Header header;
+    std::string child_frame_id;
+    Pose transform;  ///< header.frame_id from child_frame_id
+
+    static void fields(auto& message, auto& archive) {
+        archive(message.header, message.child_frame_id, message.transform);
+    }
+};
+
+struct TFMessage {
+    static constexpr const char* type_name = "tf2_msgs/msg/TFMessage";
+    std::vector<TransformStamped> transforms;
+
+    static void fields(auto& message, auto& archive) { archive(message.transforms); }
+};
+
+struct LaserScan {
+    static constexpr const char* type_name = "sensor_msgs/msg/LaserScan";
+    Header header;  ///< stamp of the first ray
+    float angle_min = 0.0F;
+    float angle_max = 0.0F;
+    float angle_increment = 0.0F;
+    float time_increment = 0.0F;  ///< seconds
+    float scan_time = 0.0F;       ///< seconds
+    float range_min = 0.0F;
+    float range_max = 0.0F;
+    std::vector<float> ranges;
+    std::vector<float> intensities;
+
+    static void fields(auto& message, auto& archive) {
+        archive(message.header, message.angle_min, message.angle_max, message.angle_increment, message.time_increment,
+                message.scan_time, message.range_min, message.range_max, message.ranges, message.intensities);
+    }
+};
+
+struct Odometry {
+    static constexpr const char* type_name = "nav_msgs/msg/Odometry";
+    Header header;
+    std::string child_frame_id;
+    Pose pose;  ///< header.frame_id from child_frame_id
+    std::array<double, 36> pose_covariance{};
+    Vector3 linear_velocity;   ///< m/s, in the child frame
+    Vector3 angular_velocity;  ///< rad/s, in the child frame
+    std::array<double, 36> velocity_covariance{};
+
+    static void fields(auto& message, auto& archive) {
+        archive(message.header, message.child_frame_id, message.pose, message.pose_covariance, message.linear_velocity,
+                message.angular_velocity, message.velocity_covariance);
+    }
+};
+
+struct PoseStamped {
+    static constexpr const char* type_name = "geometry_msgs/msg/PoseStamped";
+    Header header;
+    Pose pose;
+
+    static void fields(auto& message, auto& archive) { archive(message.header, message.pose); }
+};
+
+struct PoseArray {
+    static constexpr const char* type_name = "geometry_msgs/msg/PoseArray";
+    Header header;
+    std::vector<Pose> poses;
+
+    static void fields(auto& message, auto& archive) { archive(message.header, message.poses); }
+};
+
+struct Path {
+    static constexpr const char* type_name = "nav_msgs/msg/Path";
+    Header header;
+    std::vector<PoseStamped> poses;
+
+    static void fields(auto& message, auto& archive) { archive(message.header, message.poses); }
+};
+
+struct OccupancyGrid {
+    static constexpr const char* type_name = "nav_msgs/msg/OccupancyGrid";
+    Header header;
+    Time map_load_time;
+    float resolution = 0.0F;  ///< metres a cell
+    std::uint32_t width = 0;
+    std::uint32_t height = 0;
+    Pose origin;                    ///< of the lower left corner of cell (0, 0)
+    std::vector<std::int8_t> data;  ///< row by row from the origin: 0 free to 100 occupied, -1 unknown
+
+    static void fields(auto& message, auto& archive) {
+        archive(message.header, message.map_load_time, message.resolution, message.width, message.height,
+                message.origin, message.data);
+    }
+};
+
+}  // namespace ddtool::ros

@@ -1,0 +1,36 @@
+#include "logs/ros2_schema.hpp"
+
+#include <gmock/gmock.h>
+
+#include <sstream>
+
+#include "logs/ros_messages.hpp"
+
+namespace ddtool::ros {
+namespace {
+
+class Schema : public testing::TestWithParam<const char*> {};
+
+TEST_P(Schema, DefinesEveryTypeThatItUses) {
+    std::istringstream lines(ros2_schema(GetParam()));
+    std::vector<std::string> defined;
+    std::vector<std::string> used;
+    for (std::string type, rest; lines >> type && std::getline(lines, rest);) {
+        if (type == "MSG:") {
+            defined.push_back(rest.substr(1));
+        } else if (type.find('/') != std::string::npos) {
+            used.push_back(type.substr(0, type.find('[')));
+        }
+    }
+    EXPECT_THAT(defined, testing::Each(testing::AnyOfArray(used)));
+    EXPECT_THAT(used, testing::Each(testing::AnyOfArray(defined)));
+    EXPECT_FALSE(used.empty());
+}
+
+INSTANTIATE_TEST_SUITE_P(Types, Schema,
+                         testing::Values(TFMessage::type_name, LaserScan::type_name, Odometry::type_name,
+                                         PoseStamped::type_name, PoseArray::type_name, Path::type_name,
+                                         OccupancyGrid::type_name));
+
+}  // namespace
+}  // namespace ddtool::ros

@@ -1,0 +1,137 @@
+#include "logs/ros_codec.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+#include "base/random.hpp"
+#include "ros1_writer.hpp"
+
+namespace ddtool::ros {
+namespace {
+
+/// Fills every field with something else, so that swapped fields and wrong alignment show.
+class Filler {
+public:
+    void operator()(auto&... values) { (fill(values), ...); }
+
+private:
+    void fill(auto& message) { message.fields(message, *this); }
+    template <typename Value>
+    requires std::is_arithmetic_v<Value>
+    void fill(Value& value) { value = static_cast<Value>(random_.index(100)); }
+    void fill(std::string& text) { text.assign(random_.index(9), 'x'); }
+    void fill(Time& time) { time.ns = 1'700'000'000'000'000'000 + static_cast<std::int64_t>(random_.index(1 << 30)); }
+    template <std::size_t size>
+    void fill(std::array<double, size>& values) {
+        for (double& value : values) {
+            fill(value);
+        }
+    }
+    template <typename Value>
+    void fill(std::vector<Value>& values) {
+        values.resize(1 + random_.index(5));
+        for (Value& value : values) {
+            fill(value);
+        }
+    }
+
+    RandomStream random_{5};
+};
+
+template <typename Message>
+Message filled() {
+    Message message;
+    Filler filler;
+    filler(message);
+    return message;
+}
+
+template <typename Message>
+class RosCodec : public testing::Test {};
+
+using Messages = testing::Types<TFMessage, LaserScan, Odometry, PoseStamped, PoseArray, Path, OccupancyGrid>;
+TYPED_TEST_SUITE(RosCodec, Messages);
+
+/// Messages have no comparison; the ROS 1 bytes, which are without padding, tell all their fields.
+template <typename Message>
+void expect_same(const std::optional<Message>& decoded, const Message& message) {
+    ASSERT_TRUE(decoded);
+    EXPECT_EQ(test::encode_ros1(*decoded), test::encode_ros1(message));
+}
+
+TYPED_TEST(RosCodec, CdrGoesThereAndBackInBothByteOrders) {
+    const auto message = filled<TypeParam>();
+    for (const std::endian endian : {std::endian::little, std::endian::big}) {
+        const std::vector<std::byte> data = encode_cdr(message, endian);
+        expect_same(decode_cdr<TypeParam>(data), message);
+        EXPECT_EQ(data[1], endian == std::endian::little ? std::byte{1} : std::byte{0});
+    }
+}
+
+TYPED_TEST(RosCodec, CdrCutOffAnywhereIsRefused) {
+    for (const std::endian endian : {std::endian::little, std::endian::big}) {
+        const std::vector<std::byte> data = encode_cdr(filled<TypeParam>(), endian);
+        for (std::size_t length = 0; length < data.size(); ++length) {
+            // A copy of its own size, so that the address sanitizer sees a read beyond it.
+            const std::vector<std::byte> cut(data.begin(), data.begin() + static_cast<std::ptrdiff_t>(length));
+            EXPECT_FALSE(decode_cdr<TypeParam>(cut)) << length;
+        }
+    }
+}
+
+TYPED_TEST(RosCodec, CdrOfAnyBytesNeverCrashes) {
+    const std::vector<std::byte> data = encode_cdr(filled<TypeParam>());
+    for (std::uint64_t round = 0; round < 2000; ++round) {
+        RandomStream random{11, round};
+        std::vector<std::byte> damaged = data;
+        for (int flips = 0; flips < 4; ++flips) {
+            damaged[random.index(damaged.size())] = static_cast<std::byte>(random());
+        }
+        if (const auto decoded = decode_cdr<TypeParam>(damaged)) {
+            EXPECT_LE(test::encode_ros1(*decoded).size(), 2 * damaged.size());
+        }
+    }
+}
+
+template <typename Message>
+class Ros1Codec : public testing::Test {};
+
+using Ros1Messages = testing::Types<TFMessage, LaserScan, Odometry, PoseStamped>;
+TYPED_TEST_SUITE(Ros1Codec, Ros1Messages);
+
+TYPED_TEST(Ros1Codec, GoesThereAndBackAndIsRefusedWhereItIsCut) {
+    const auto message = filled<TypeParam>();
+    const std::vector<std::byte> data = test::encode_ros1(message);
+    expect_same(decode_ros1<TypeParam>(data), message);
+    for (std::size_t length = 0; length < data.size(); ++length) {
+        const std::vector<std::byte> cut(data.begin(), data.begin() + static_cast<std::ptrdiff_t>(length));
+        EXPECT_FALSE(decode_ros1<TypeParam>(cut)) << length;
+    }
+}
+
+TEST(Cdr, KeepsTimesBefore1970) {
+    PoseStamped message;
+    message.header.stamp.ns = -1;
+    EXPECT_EQ(decode_cdr<PoseStamped>(encode_cdr(message)).value().header.stamp.ns, -1);
+}
+
+TEST(Cdr, IsLaidOutAsTheSpecificationSays) {
+    PoseStamped message;
+    message.header = {{2'000'000'003}, "map"};
+    message.pose.position.x = 1.0;
+    const std::vector<std::byte> data = encode_cdr(message);
+    // Encapsulation 4, sec 4, nanosec 4, length 4 + "map\0", then doubles aligned to 8 after the encapsulation.
+    ASSERT_EQ(data.size(), 4U + 16U + 56U);
+    const auto word = [&](std::size_t at) { return std::to_integer<int>(data[at]); };
+    EXPECT_EQ(word(4), 2);
+    EXPECT_EQ(word(8), 3);
+    EXPECT_EQ(word(12), 4);
+    EXPECT_EQ(word(16), 'm');
+    double x = 0.0;
+    std::memcpy(&x, &data[20], sizeof x);
+    EXPECT_EQ(x, 1.0);
+}
+
+}  // namespace
+}  // namespace ddtool::ros
