@@ -1,0 +1,111 @@
+#include "logs/message_decoder.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "logs/foxglove_json.hpp"
+#include "logs/foxglove_protobuf.hpp"
+#include "logs/ros_readings.hpp"
+
+namespace ddtool {
+namespace {
+
+struct KnownType {
+    std::string_view name;
+    MessageKind kind;
+};
+
+constexpr std::array<KnownType, 5> ros_types{{
+    {"sensor_msgs/LaserScan", MessageKind::scan},
+    {"nav_msgs/Odometry", MessageKind::odometry},
+    {"geometry_msgs/PoseStamped", MessageKind::pose},
+    {"tf2_msgs/TFMessage", MessageKind::transforms},
+    {"tf/tfMessage", MessageKind::transforms},
+}};
+
+constexpr std::array<KnownType, 4> foxglove_types{{
+    {"foxglove.LaserScan", MessageKind::scan},
+    {"foxglove.PoseInFrame", MessageKind::pose},
+    {"foxglove.FrameTransform", MessageKind::transforms},
+    {"foxglove.FrameTransforms", MessageKind::transforms},
+}};
+
+MessageKind find_kind(std::span<const KnownType> types, std::string_view name) {
+    const auto found =
+        std::find_if(types.begin(), types.end(), [&](const KnownType& type) { return type.name == name; });
+    return found == types.end() ? MessageKind::other : found->kind;
+}
+
+/// ROS 2 names types package/msg/Type, ROS 1 package/Type.
+std::string without_msg(std::string name) {
+    constexpr std::string_view infix = "/msg/";
+    const std::size_t at = name.find(infix);
+    return at == std::string::npos ? name : name.replace(at, infix.size(), "/");
+}
+
+void tidy(std::string& frame_id) { frame_id.erase(0, frame_id.starts_with('/') ? 1 : 0); }
+
+void tidy_stamp(std::int64_t& stamp_ns, const McapMessage& message) {
+    if (stamp_ns == 0) {
+        stamp_ns = message.log_time_ns;
+    }
+}
+
+std::optional<ScanReading> decode_raw_scan(const McapMessage& message) {
+    const std::string& encoding = message.channel->message_encoding;
+    if (encoding == "protobuf") {
+        return foxglove::protobuf_scan(message.data);
+    }
+    if (encoding == "json") {
+        return foxglove::json_scan(message.data);
+    }
+    return ros::decode_scan(encoding, message.data);
+}
+
+std::optional<std::vector<PoseReading>> decode_raw_poses(const McapMessage& message) {
+    const std::string& encoding = message.channel->message_encoding;
+    const std::string& type = message.channel->schema.name;
+    if (encoding == "protobuf") {
+        return foxglove::protobuf_poses(type, message.data);
+    }
+    if (encoding == "json") {
+        return foxglove::json_poses(type, message.data);
+    }
+    return ros::decode_poses(kind_of(*message.channel), encoding, message.data);
+}
+
+}  // namespace
+
+MessageKind kind_of(const McapChannel& channel) {
+    const std::string& encoding = channel.message_encoding;
+    if (encoding == "cdr" || encoding == "ros1") {
+        return find_kind(ros_types, without_msg(channel.schema.name));
+    }
+    if (encoding == "protobuf" || encoding == "json") {
+        return find_kind(foxglove_types, channel.schema.name);
+    }
+    return MessageKind::other;
+}
+
+std::optional<ScanReading> decode_scan(const McapMessage& message) {
+    std::optional<ScanReading> reading = decode_raw_scan(message);
+    if (reading) {
+        tidy(reading->frame_id);
+        tidy_stamp(reading->scan.stamp_ns, message);
+    }
+    return reading;
+}
+
+std::optional<std::vector<PoseReading>> decode_poses(const McapMessage& message) {
+    std::optional<std::vector<PoseReading>> readings = decode_raw_poses(message);
+    if (readings) {
+        for (PoseReading& reading : *readings) {
+            tidy(reading.frame_id);
+            tidy(reading.child_frame_id);
+            tidy_stamp(reading.stamp_ns, message);
+        }
+    }
+    return readings;
+}
+
+}  // namespace ddtool
