@@ -1,0 +1,285 @@
+#include "logs/message_log_stream.hpp"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "base/error.hpp"
+#include "message_log.hpp"
+
+namespace ddtool {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+constexpr std::int64_t second = 1'000'000'000;
+
+ros::LaserScan scan_message(double stamp_s, const std::string& frame_id = "laser") {
+    ros::LaserScan scan;
+    scan.header = {{std::llround(stamp_s * 1e9)}, frame_id};
+    scan.angle_min = -1.0F;
+    scan.angle_increment = 0.5F;
+    scan.range_min = 0.1F;
+    scan.range_max = 10.0F;
+    scan.ranges = {1.0F, 2.0F, 3.0F, 4.0F};
+    return scan;
+}
+
+std::int64_t at(double stamp_s) { return std::llround(stamp_s * 1e9); }
+
+class Log : public testing::Test {
+protected:
+    void scan(double stamp_s, double recorded_s) { log_.add("/scan", at(recorded_s), scan_message(stamp_s)); }
+    void scan(double stamp_s) { scan(stamp_s, stamp_s); }
+    void odometry(double stamp_s, double x, const std::string& topic = "/odom") {
+        log_.add(topic, at(stamp_s), ros::odometry_message(at(stamp_s), "odom", "base", {x, 0.0, 0.0}));
+    }
+    void transform(const std::string& parent, const std::string& child, const Pose2& pose, double stamp_s = 0.0,
+                   const std::string& topic = "/tf_static") {
+        log_.add(topic, at(stamp_s), ros::transform_message(at(stamp_s), parent, child, pose));
+    }
+    void transform(const std::string& parent, const std::string& child, const ros::Pose& pose) {
+        ros::TFMessage message = ros::transform_message(0, parent, child, {});
+        message.transforms.front().transform = pose;
+        log_.add("/tf_static", 0, message);
+    }
+    std::unique_ptr<MessageLogStream> open(const LogOptions& options = {}) {
+        return std::make_unique<MessageLogStream>(
+            [this](const LogProblemHandler&) { return log_.open(); }, "test", "log", options,
+            [this](const LogProblem& problem) { problems_.push_back(problem.what); });
+    }
+    std::vector<SensorFrame> read(const LogOptions& options = {}) {
+        stream_ = open(options);
+        std::vector<SensorFrame> frames;
+        while (auto frame = stream_->next()) {
+            frames.push_back(std::move(*frame));
+        }
+        return frames;
+    }
+    std::string failure(const LogOptions& options = {}) {
+        try {
+            open(options);
+        } catch (const Error& error) {
+            return error.what();
+        }
+        return "";
+    }
+
+    test::MessageLog log_;
+    std::unique_ptr<MessageLogStream> stream_;
+    std::vector<std::string> problems_;
+};
+
+TEST_F(Log, InterpolatesOdometryThatComesBehindTheScan) {
+    odometry(1.0, 1.0);
+    scan(1.25);
+    scan(1.5);
+    odometry(2.0, 2.0);
+    const auto frames = read();
+    ASSERT_EQ(frames.size(), 2U);
+    EXPECT_NEAR(frames[0].odom_from_robot.x_m, 1.25, 1e-9);
+    EXPECT_NEAR(frames[1].odom_from_robot.x_m, 1.5, 1e-9);
+    EXPECT_TRUE(problems_.empty());
+}
+
+TEST_F(Log, TakesTheNearestOdometryAtItsEndsAndReportsGaps) {
+    scan(0.8);
+    odometry(1.0, 1.0);
+    odometry(2.0, 2.0);
+    scan(2.2);
+    scan(9.0);
+    const auto frames = read();
+    ASSERT_EQ(frames.size(), 3U);
+    EXPECT_EQ(frames[0].odom_from_robot.x_m, 1.0);
+    EXPECT_EQ(frames[1].odom_from_robot.x_m, 2.0);
+    EXPECT_EQ(frames[2].odom_from_robot.x_m, 2.0);
+    EXPECT_EQ(stream_->summary().problems, 1U);
+    EXPECT_THAT(problems_, ElementsAre(HasSubstr("no odometry within")));
+}
+
+TEST_F(Log, WhereTimeStepsBackTheOdometryBesideTheScanCounts) {
+    for (const auto& [stamp_s, x] : {std::pair{10.0, 0.0}, {10.4, 4.0}, {9.6, 5.0}, {10.2, 6.0}, {10.6, 7.0}}) {
+        odometry(stamp_s, x);
+        scan(stamp_s);
+    }
+    std::vector<double> positions;
+    for (const SensorFrame& frame : read()) {
+        positions.push_back(frame.odom_from_robot.x_m);
+    }
+    EXPECT_THAT(positions, ElementsAre(0.0, 4.0, 5.0, 6.0, 7.0));
+}
+
+TEST_F(Log, DeadOdometryDoesNotHoldUpScansForever) {
+    odometry(0.0, 1.0);
+    for (std::size_t i = 1; i <= 3 * MessageLogStream::max_waiting; ++i) {
+        scan(0.1 * static_cast<double>(i));
+    }
+    const auto stream = open();
+    ASSERT_TRUE(stream->next());
+    EXPECT_LT(stream->fraction_read(), 0.5);
+}
+
+TEST_F(Log, ComposesTheMountingFromSeveralTransforms) {
+    transform("base", "mast", Pose2{0.5, 0.0, std::numbers::pi / 2});
+    transform("mast", "laser", Pose2{0.2, 0.1, 0.25});
+    odometry(1.0, 0.0);
+    scan(1.0);
+    const SensorFrame frame = read().at(0);
+    EXPECT_NEAR(frame.robot_from_laser.x_m, 0.4, 1e-9);
+    EXPECT_NEAR(frame.robot_from_laser.y_m, 0.2, 1e-9);
+    EXPECT_NEAR(frame.robot_from_laser.theta_rad, std::numbers::pi / 2 + 0.25, 1e-9);
+    EXPECT_TRUE(stream_->summary().assumptions.empty());
+}
+
+/// Where a beam of the scan ends, seen from the robot: must not depend on how the mounting is expressed.
+TEST_F(Log, MirrorsAScanThatIsMountedUpsideDown) {
+    const Eigen::Isometry3d base_from_laser = Eigen::Translation3d(0.3, -0.2, 0.5) *
+                                              Eigen::AngleAxisd(0.7, Eigen::Vector3d::UnitZ()) *
+                                              Eigen::AngleAxisd(std::numbers::pi, Eigen::Vector3d::UnitX());
+    const Eigen::Quaterniond q(base_from_laser.linear());
+    transform("base", "laser", ros::Pose{{0.3, -0.2, 0.5}, {q.x(), q.y(), q.z(), q.w()}});
+    odometry(1.0, 0.0);
+    scan(1.0);
+    const SensorFrame frame = read().at(0);
+    EXPECT_LT(frame.scan.angle_increment_rad, 0.0);
+    for (std::size_t beam = 0; beam < 4; ++beam) {
+        const double logged_rad = -1.0 + 0.5 * static_cast<double>(beam);
+        const double range_m = static_cast<double>(frame.scan.ranges_m[beam]);
+        const Eigen::Vector3d expected =
+            base_from_laser * Eigen::Vector3d(range_m * std::cos(logged_rad), range_m * std::sin(logged_rad), 0.0);
+        const double angle_rad = frame.scan.angle_rad(beam);
+        const Point2 end =
+            frame.robot_from_laser * Point2{range_m * std::cos(angle_rad), range_m * std::sin(angle_rad)};
+        EXPECT_NEAR(end.x_m, expected.x(), 1e-6);
+        EXPECT_NEAR(end.y_m, expected.y(), 1e-6);
+    }
+}
+
+TEST_F(Log, TakesOdometryFromTransforms) {
+    transform("base_footprint", "laser", Pose2{0.1, 0.0, 0.0});
+    for (const double t : {1.0, 2.0, 3.0}) {
+        transform("map", "odom", Pose2{100.0, 0.0, 0.0}, t, "/tf");
+        transform("odom", "base_footprint", Pose2{t, 0.0, 0.0}, t, "/tf");
+        scan(t - 0.5, t);
+    }
+    const auto frames = read();
+    EXPECT_NEAR(frames.at(1).odom_from_robot.x_m, 1.5, 1e-9);
+    EXPECT_NEAR(frames.at(2).odom_from_robot.x_m, 2.5, 1e-9);
+    EXPECT_NEAR(frames.at(2).robot_from_laser.x_m, 0.1, 1e-9);
+    EXPECT_EQ(stream_->summary().odom_topic, "/tf");
+}
+
+TEST_F(Log, WithoutOdometryTheRobotStands) {
+    scan(1.0);
+    EXPECT_EQ(read().at(0).odom_from_robot, Pose2{});
+    EXPECT_TRUE(stream_->summary().odom_topic.empty());
+    EXPECT_THAT(stream_->summary().assumptions, testing::Contains(HasSubstr("no odometry")));
+}
+
+TEST_F(Log, ALaserWithoutTransformIsAtTheRobotsOriginUnlessTold) {
+    odometry(1.0, 0.0);
+    scan(1.0);
+    EXPECT_EQ(read().at(0).robot_from_laser, Pose2{});
+    EXPECT_THAT(stream_->summary().assumptions, ElementsAre(HasSubstr("no transform")));
+    const Pose2 mounting{0.1, 0.2, 0.3};
+    const Pose2 used = read({"", "", "", mounting}).at(0).robot_from_laser;
+    EXPECT_NEAR(distance_m(used, mounting), 0.0, 1e-12);
+    EXPECT_NEAR(used.theta_rad, 0.3, 1e-12);
+    EXPECT_TRUE(stream_->summary().assumptions.empty());
+}
+
+TEST_F(Log, GroundTruthIsFoundByNameAndNeverTakenForOdometry) {
+    for (const double t : {1.0, 2.0}) {
+        odometry(t, 50.0 * t, "/ground_truth");
+        odometry(t, t);
+        scan(t - 0.5, t);
+    }
+    const auto frames = read();
+    EXPECT_NEAR(frames.at(1).odom_from_robot.x_m, 1.5, 1e-9);
+    ASSERT_TRUE(frames.at(1).world_from_robot);
+    EXPECT_NEAR(frames.at(1).world_from_robot->x_m, 75.0, 1e-9);
+    EXPECT_FALSE(frames.at(0).world_from_robot) << "there was no truth before it";
+}
+
+TEST_F(Log, TopicsAreChosenByOption) {
+    scan(1.0);
+    log_.add("/scan_rear", at(1.0), scan_message(1.0, "rear"));
+    odometry(1.0, 1.0);
+    odometry(1.0, 2.0, "/odometry/filtered");
+    log_.add("/mocap", at(1.0), ros::pose_message(at(1.0), "world", {3.0, 0.0, 0.0}));
+    const auto frames = read({"/scan_rear", "/odometry/filtered", "/mocap", {}});
+    ASSERT_EQ(frames.size(), 1U);
+    EXPECT_EQ(frames[0].odom_from_robot.x_m, 2.0);
+    EXPECT_EQ(frames[0].world_from_robot.value().x_m, 3.0);
+    EXPECT_EQ(read().size(), 1U);
+    EXPECT_EQ(stream_->summary().scan_topic, "/scan");
+    EXPECT_EQ(stream_->summary().odom_topic, "/odom");
+}
+
+TEST_F(Log, AnOptionThatNamesNoTopicSaysWhichThereAre) {
+    scan(1.0);
+    odometry(1.0, 1.0);
+    EXPECT_THROW(open({"/odom", "", "", {}}), UsageError);
+    EXPECT_THAT(failure({"/scn", "", "", {}}), HasSubstr("/scan"));
+    EXPECT_THAT(failure({"", "/odo", "", {}}), HasSubstr("/odom"));
+    EXPECT_THAT(failure({"", "", "/truth", {}}), HasSubstr("/odom"));
+}
+
+TEST_F(Log, ATopicThatBeginsLateIsFoundWhenAskedFor) {
+    for (int t = 0; t < 60; ++t) {
+        scan(t);
+    }
+    odometry(59.0, 5.0, "/late");
+    scan(59.0);
+    EXPECT_EQ(read({"", "/late", "", {}}).back().odom_from_robot.x_m, 5.0);
+}
+
+TEST_F(Log, WithoutScansTheErrorNamesWhatThereIs) {
+    EXPECT_THAT(failure(), HasSubstr("no messages"));
+    odometry(1.0, 1.0);
+    EXPECT_THAT(failure(), HasSubstr("/odom (nav_msgs/msg/Odometry)"));
+}
+
+TEST_F(Log, ReadingsAreWhatTheMessageDefinitionSays) {
+    constexpr float inf = std::numeric_limits<float>::infinity();
+    ros::LaserScan message = scan_message(1.0);
+    message.ranges = {5.0F, 0.0F, 0.05F, 11.0F, inf, -inf, std::nanf("")};
+    message.angle_increment = -0.5F;
+    log_.add("/scan", second, message);
+    scan(2.0);
+    const auto frames = read();
+    ASSERT_EQ(frames.size(), 2U);
+    const std::vector<float>& ranges = frames[0].scan.ranges_m;
+    EXPECT_EQ(ranges[0], 5.0F);
+    EXPECT_THAT((std::vector<float>{ranges[3], ranges[4]}), testing::Each(LaserScan::no_return));
+    EXPECT_THAT((std::vector<float>{ranges[1], ranges[2], ranges[5], ranges[6]}), testing::Each(testing::IsNan()));
+    EXPECT_LT(frames[0].scan.angle_increment_rad, 0.0);
+    EXPECT_EQ(frames[1].scan.ranges_m.size(), 4U);
+}
+
+TEST_F(Log, SkipsMessagesThatCannotBeUsed) {
+    odometry(1.0, 1.0);
+    scan(1.0);
+    log_.add_bytes("/scan", "cdr", ros::LaserScan::type_name, at(1.1), std::vector<std::byte>(7));
+    log_.add_bytes("/odom", "cdr", ros::Odometry::type_name, at(1.1), std::vector<std::byte>(7));
+    ros::LaserScan empty = scan_message(1.2);
+    empty.ranges.clear();
+    log_.add("/scan", at(1.2), empty);
+    ros::LaserScan without_angles = scan_message(1.3);
+    without_angles.angle_increment = 0.0F;
+    log_.add("/scan", at(1.3), without_angles);
+    EXPECT_EQ(read().size(), 1U);
+    EXPECT_EQ(stream_->summary().problems, 4U);
+    EXPECT_THAT(problems_.at(0), HasSubstr("/scan (sensor_msgs/msg/LaserScan): skipped a damaged message"));
+}
+
+TEST_F(Log, AStampOfZeroIsTheTimeOfRecording) {
+    scan(0.0, 7.0);
+    EXPECT_EQ(read().at(0).scan.stamp_ns, 7 * second);
+}
+
+}  // namespace
+}  // namespace ddtool
