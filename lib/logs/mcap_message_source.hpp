@@ -1,0 +1,24 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <utility>
+
+#include "logs/mcap_reader.hpp"
+#include "logs/message_source.hpp"
+
+namespace ddtool {
+
+/// The messages of an MCAP file.
+class McapMessageSource : public MessageSource {
+public:
+    McapMessageSource(const std::filesystem::path& path, LogProblemHandler on_problem)
+        : reader_(path, std::move(on_problem)) {}
+    std::optional<McapMessage> next() override { return reader_.next(); }
+    [[nodiscard]] double fraction_read() const override { return reader_.fraction_read(); }
+
+private:
+    McapReader reader_;
+};
+
+}  // namespace ddtool
