@@ -58,7 +58,8 @@ class CdrReader {
 public:
     /// fast-cdr takes no const buffer, but only reads from this one.
     explicit CdrReader(std::span<const std::byte> data)
-        : buffer_(const_cast<char*>(reinterpret_cast<const char*>(data.data())), data.size()),
+        : buffer_(const_cast<char*>(reinterpret_cast<const char*>(data.data())),  // NOLINT(*-const-cast)
+                  data.size()),
           cdr_(buffer_, Cdr::LITTLE_ENDIANNESS, Cdr::DDS_CDR) {
         cdr_.read_encapsulation();
     }
