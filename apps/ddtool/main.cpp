@@ -2,6 +2,7 @@
 #include <memory>
 
 #include "base/log.hpp"
+#include "convert_command.hpp"
 #include "program.hpp"
 #include "score_command.hpp"
 
@@ -10,6 +11,7 @@ namespace {
 
 CommandTable all_commands() {
     CommandTable table;
+    table.push_back(std::make_unique<ConvertCommand>());
     table.push_back(std::make_unique<ScoreCommand>());
     return table;
 }

@@ -1,0 +1,53 @@
+#include "log_options.hpp"
+
+#include "base/log.hpp"
+
+namespace ddtool {
+namespace {
+
+std::optional<Pose2> laser_pose(const Json& value) {
+    if (value.empty()) {
+        return std::nullopt;
+    }
+    const bool is_pose =
+        value.is_array() && value.size() == 3 && value[0].is_number() && value[1].is_number() && value[2].is_number();
+    if (!is_pose) {
+        throw UsageError("log.laser_pose: expected three numbers x,y,yaw");
+    }
+    return Pose2{value[0], value[1], value[2]};
+}
+
+}  // namespace
+
+Json default_log_settings() {
+    return {{"scan_topic", ""}, {"odom_topic", ""}, {"ground_truth_topic", ""}, {"laser_pose", Json::array()}};
+}
+
+LogOptions log_options(const Json& log_settings) {
+    return {.scan_topic = log_settings.at("scan_topic"),
+            .odom_topic = log_settings.at("odom_topic"),
+            .ground_truth_topic = log_settings.at("ground_truth_topic"),
+            .laser_pose = laser_pose(log_settings.at("laser_pose"))};
+}
+
+LogProblemHandler LogReport::handler() {
+    return [this](const LogProblem& problem) {
+        if (problems_++ < max_shown) {
+            log_warning(problem.what);
+        }
+    };
+}
+
+ExitCode LogReport::finish(const LogSummary& summary) const {
+    for (const std::string& assumption : summary.assumptions) {
+        log_warning(assumption);
+    }
+    if (summary.problems == 0) {
+        return ExitCode::done;
+    }
+    log_warning("problems in the log: " + std::to_string(summary.problems) + "; bytes known to be lost: " +
+                std::to_string(summary.bytes_lost) + "; scans read: " + std::to_string(summary.scans));
+    return ExitCode::done_with_loss;
+}
+
+}  // namespace ddtool
