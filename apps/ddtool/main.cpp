@@ -5,6 +5,7 @@
 #include "convert_command.hpp"
 #include "program.hpp"
 #include "score_command.hpp"
+#include "simulate_command.hpp"
 
 namespace ddtool {
 namespace {
@@ -13,6 +14,7 @@ CommandTable all_commands() {
     CommandTable table;
     table.push_back(std::make_unique<ConvertCommand>());
     table.push_back(std::make_unique<ScoreCommand>());
+    table.push_back(std::make_unique<SimulateCommand>());
     return table;
 }
 

@@ -133,6 +133,7 @@ DDTOOL_CDR(PoseStamped)
 DDTOOL_CDR(PoseArray)
 DDTOOL_CDR(Path)
 DDTOOL_CDR(OccupancyGrid)
+DDTOOL_CDR(Float64MultiArray)
 #undef DDTOOL_CDR
 
 }  // namespace ddtool::ros

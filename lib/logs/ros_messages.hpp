@@ -125,6 +125,23 @@ struct Path {
     static void fields(auto& message, auto& archive) { archive(message.header, message.poses); }
 };
 
+struct MultiArrayDimension {
+    std::string label;
+    std::uint32_t size = 0;
+    std::uint32_t stride = 0;  ///< elements from here to the end of this dimension
+
+    static void fields(auto& message, auto& archive) { archive(message.label, message.size, message.stride); }
+};
+
+struct Float64MultiArray {
+    static constexpr const char* type_name = "std_msgs/msg/Float64MultiArray";
+    std::vector<MultiArrayDimension> dimensions;  ///< outermost first
+    std::uint32_t data_offset = 0;
+    std::vector<double> data;
+
+    static void fields(auto& message, auto& archive) { archive(message.dimensions, message.data_offset, message.data); }
+};
+
 struct OccupancyGrid {
     static constexpr const char* type_name = "nav_msgs/msg/OccupancyGrid";
     Header header;

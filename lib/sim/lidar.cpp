@@ -43,6 +43,7 @@ const std::map<std::string, LidarSettings>& presets() {
           .range_max_m = 80.0,
           .range_noise_m = 0.005,
           .range_noise_per_m = 0.0,
+          .range_resolution_m = 0.01,
           .drop_out_probability = 0.0005,
           .beam_divergence_rad = 0.008}},
     };
@@ -68,6 +69,12 @@ bool same_surface(const std::optional<Hit>& a, const std::optional<Hit>& b) {
     return a && b ? a->surface == b->surface : !a && !b;
 }
 
+/// An edge within a beam's footprint lies between it and a neighbour, so those tell where to look for one.
+bool is_at_edge(const BeamHits& hits, std::size_t beam) {
+    return (beam > 0 && !same_surface(hits[beam], hits[beam - 1])) ||
+           (beam + 1 < hits.size() && !same_surface(hits[beam], hits[beam + 1]));
+}
+
 /// A footprint with an edge in it returns one echo somewhere between those of its two sides.
 std::optional<double> mixed_range(const std::optional<Hit>& one, const std::optional<Hit>& other,
                                   RandomStream& random) {
@@ -75,6 +82,20 @@ std::optional<double> mixed_range(const std::optional<Hit>& one, const std::opti
         return std::nullopt;
     }
     return one->range_m + random.uniform() * (other->range_m - one->range_m);
+}
+
+/// What a lidar reports of an echo at a range, or of none.
+float reading(const std::optional<double>& range_m, const LidarSettings& settings, RandomStream& random) {
+    const double noise = random.normal();
+    if (random.uniform() < settings.drop_out_probability) {
+        return LaserScan::invalid;
+    }
+    if (!range_m) {
+        return LaserScan::no_return;
+    }
+    const double noisy_m = *range_m + noise * range_sd_m(settings, *range_m);
+    const double step_m = settings.range_resolution_m;
+    return static_cast<float>(step_m > 0.0 ? step_m * std::round(noisy_m / step_m) : noisy_m);
 }
 
 }  // namespace
@@ -114,29 +135,20 @@ BeamHits cast_beams(const LaserScan& scan, const std::vector<Pose2>& world_from_
 std::vector<float> measure_ranges(const LaserScan& scan, const std::vector<Pose2>& world_from_laser,
                                   const BeamHits& hits, const RayCaster& caster, const LidarSettings& settings,
                                   RandomStream random) {
-    std::vector<float> ranges(hits.size(), LaserScan::no_return);
+    std::vector<float> ranges;
+    ranges.reserve(hits.size());
     const double half_width_rad = settings.beam_divergence_rad / 2.0;
     for (std::size_t beam = 0; beam < hits.size(); ++beam) {
-        std::optional<double> range;
-        if (hits[beam]) {
-            range = hits[beam]->range_m;
-        }
-        // An edge within the footprint lies between this beam and a neighbour, so those tell where to look for one.
-        const bool inside = same_surface(hits[beam], hits[beam == 0 ? beam : beam - 1]) &&
-                            same_surface(hits[beam], hits[beam + 1 == hits.size() ? beam : beam + 1]);
-        if (!inside && half_width_rad > 0.0) {
+        std::optional<double> range_m;
+        if (half_width_rad > 0.0 && is_at_edge(hits, beam)) {
             const Pose2& laser = pose_of(world_from_laser, beam);
-            const std::optional<double> mixed =
-                mixed_range(cast_beam(scan, laser, beam, -half_width_rad, caster),
-                            cast_beam(scan, laser, beam, half_width_rad, caster), random);
-            range = mixed ? mixed : range;
+            range_m = mixed_range(cast_beam(scan, laser, beam, -half_width_rad, caster),
+                                  cast_beam(scan, laser, beam, half_width_rad, caster), random);
         }
-        const double noise = random.normal();
-        if (random.uniform() < settings.drop_out_probability) {
-            ranges[beam] = LaserScan::invalid;
-        } else if (range) {
-            ranges[beam] = static_cast<float>(*range + noise * range_sd_m(settings, *range));
+        if (!range_m && hits[beam]) {
+            range_m = hits[beam]->range_m;
         }
+        ranges.push_back(reading(range_m, settings, random));
     }
     return ranges;
 }

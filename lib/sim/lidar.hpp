@@ -21,6 +21,7 @@ struct LidarSettings {
     double range_max_m = 30.0;
     double range_noise_m = 0.015;         ///< standard deviation at range 0
     double range_noise_per_m = 0.0;       ///< standard deviation that a metre of range adds
+    double range_resolution_m = 0.001;    ///< ranges are whole multiples of it; 0 for none
     double drop_out_probability = 0.002;  ///< of a beam that says nothing
     double beam_divergence_rad = 0.003;   ///< full width: edges within it mix the ranges on both sides
     bool motion_distortion = false;       ///< whether the robot moves while the scan is taken

@@ -24,21 +24,9 @@ Route draw_loop(double field_m, RandomStream& random) {
     return {.start = {first.x_m, first.y_m, std::numbers::pi / 2.0}, .way_points = points};
 }
 
-double distance_to_leg(const Point2& from, const Point2& to, const Point2& point) {
-    const double length_m = std::hypot(to.x_m - from.x_m, to.y_m - from.y_m);
-    const Pose2 world_from_leg{from.x_m, from.y_m, std::atan2(to.y_m - from.y_m, to.x_m - from.x_m)};
-    const Point2 in_leg = inverse(world_from_leg) * point;
-    return std::hypot(in_leg.x_m - std::clamp(in_leg.x_m, 0.0, length_m), in_leg.y_m);
-}
-
 double distance_to_route(const Route& route, const Point2& point) {
-    Point2 from{route.start.x_m, route.start.y_m};
-    double least_m = std::hypot(from.x_m - point.x_m, from.y_m - point.y_m);
-    for (const Point2& to : route.way_points) {
-        least_m = std::min(least_m, distance_to_leg(from, to, point));
-        from = to;
-    }
-    return least_m;
+    const Point2 nearest = nearest_on_route(route, point);
+    return std::hypot(nearest.x_m - point.x_m, nearest.y_m - point.y_m);
 }
 
 }  // namespace

@@ -41,10 +41,11 @@ public:
     /// odom_from_robot at the odometry's rate; the odom frame is the robot's at the start.
     [[nodiscard]] const Trajectory& odometry() const { return odometry_; }
     [[nodiscard]] std::size_t frame_count() const { return frame_count_; }
+    /// When the frame is taken.
+    [[nodiscard]] std::int64_t stamp_ns(std::size_t index) const;
     [[nodiscard]] SimulatedFrame frame(std::size_t index) const;
 
 private:
-    [[nodiscard]] std::int64_t stamp_ns(std::size_t index) const;
     [[nodiscard]] std::vector<Pose2> laser_poses(const LaserScan& scan) const;
 
     SimulationSettings settings_;

@@ -10,7 +10,7 @@
 namespace ddtool::sim {
 
 DDTOOL_JSON_STRUCT(LidarSettings, beams, field_of_view_rad, rate_hz, range_min_m, range_max_m, range_noise_m,
-                   range_noise_per_m, drop_out_probability, beam_divergence_rad, motion_distortion)
+                   range_noise_per_m, range_resolution_m, drop_out_probability, beam_divergence_rad, motion_distortion)
 DDTOOL_JSON_STRUCT(OdometrySettings, rate_hz, scale_error_sd, gyro_bias_sd_rad_per_s, distance_noise_m_per_sqrt_m,
                    heading_noise_rad_per_sqrt_m, heading_noise_rad_per_sqrt_rad, slips_per_m, slip_m, slip_rad)
 DDTOOL_JSON_STRUCT(DriveSettings, speed_m_per_s, acceleration_m_per_s2, turn_rate_rad_per_s,

@@ -1,8 +1,6 @@
 #include "sim/texture.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "base/random.hpp"
 #include "sim/random_purpose.hpp"
@@ -29,31 +27,6 @@ Feature draw_feature(RandomStream& random) {
         return {random.uniform(1.0, 3.0), 0.015};
     }
     return {random.uniform(0.2, 0.45), random.uniform(0.08, 0.15)};
-}
-
-Point2 nearest_on(const Segment& segment, const Point2& point) {
-    const double dx = segment.b.x_m - segment.a.x_m;
-    const double dy = segment.b.y_m - segment.a.y_m;
-    const double squared = dx * dx + dy * dy;
-    const double along = (point.x_m - segment.a.x_m) * dx + (point.y_m - segment.a.y_m) * dy;
-    const double share = squared > 0.0 ? std::clamp(along / squared, 0.0, 1.0) : 0.0;
-    return {segment.a.x_m + share * dx, segment.a.y_m + share * dy};
-}
-
-Point2 nearest_on_route(const Route& route, const Point2& point) {
-    Point2 nearest;
-    double least = std::numeric_limits<double>::infinity();
-    Point2 from{route.start.x_m, route.start.y_m};
-    for (const Point2& to : route.way_points) {
-        const Point2 candidate = nearest_on({from, to}, point);
-        const double distance = std::hypot(candidate.x_m - point.x_m, candidate.y_m - point.y_m);
-        if (distance < least) {
-            least = distance;
-            nearest = candidate;
-        }
-        from = to;
-    }
-    return nearest;
 }
 
 /// The wall's frame: x along it from a, y towards the route.

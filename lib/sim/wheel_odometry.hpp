@@ -12,8 +12,8 @@ namespace ddtool::sim {
 /// variance growing in proportion to the motion, so it does not depend on the odometry's rate.
 struct OdometrySettings {
     double rate_hz = 50.0;
-    double scale_error_sd = 0.004;  ///< relative error of distances (wheel radius), standard deviation over runs
-    double gyro_bias_sd_rad_per_s = 1.0e-4;  ///< error of the turn rate, standard deviation over runs
+    double scale_error_sd = 0.005;  ///< relative error of distances (wheel radius), standard deviation over runs
+    double gyro_bias_sd_rad_per_s = 1.5e-4;  ///< error of the turn rate, standard deviation over runs
     double distance_noise_m_per_sqrt_m = 0.01;
     double heading_noise_rad_per_sqrt_m = 1.0e-3;
     double heading_noise_rad_per_sqrt_rad = 4.0e-3;

@@ -1,8 +1,21 @@
 #include "sim/world.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace ddtool::sim {
+namespace {
+
+Point2 nearest_on(const Segment& segment, const Point2& point) {
+    const double dx = segment.b.x_m - segment.a.x_m;
+    const double dy = segment.b.y_m - segment.a.y_m;
+    const double squared = dx * dx + dy * dy;
+    const double along = (point.x_m - segment.a.x_m) * dx + (point.y_m - segment.a.y_m) * dy;
+    const double share = squared > 0.0 ? std::clamp(along / squared, 0.0, 1.0) : 0.0;
+    return {segment.a.x_m + share * dx, segment.a.y_m + share * dy};
+}
+
+}  // namespace
 
 std::vector<Point2> all_way_points(const Route& route) {
     std::vector<Point2> points;
@@ -11,6 +24,22 @@ std::vector<Point2> all_way_points(const Route& route) {
         points.push_back(route.way_points[i % route.way_points.size()]);
     }
     return points;
+}
+
+Point2 nearest_on_route(const Route& route, const Point2& point) {
+    Point2 from{route.start.x_m, route.start.y_m};
+    Point2 nearest = from;
+    double least_m = std::hypot(from.x_m - point.x_m, from.y_m - point.y_m);
+    for (const Point2& to : route.way_points) {
+        const Point2 candidate = nearest_on({from, to}, point);
+        const double distance_m = std::hypot(candidate.x_m - point.x_m, candidate.y_m - point.y_m);
+        if (distance_m < least_m) {
+            least_m = distance_m;
+            nearest = candidate;
+        }
+        from = to;
+    }
+    return nearest;
 }
 
 void add_polyline(World& world, const std::vector<Point2>& points) {

@@ -41,6 +41,9 @@ struct World {
 /// The way points of all laps, in the order they are driven; the start is not among them.
 std::vector<Point2> all_way_points(const Route& route);
 
+/// The point of the straight lines between the start and the way points that is nearest to `point`.
+Point2 nearest_on_route(const Route& route, const Point2& point);
+
 /// Adds a line through the points; a closed one ends where it began.
 void add_polyline(World& world, const std::vector<Point2>& points);
 /// Adds the outline of a box; world_from_box is its centre and heading.

@@ -30,7 +30,7 @@ TEST_P(Schema, DefinesEveryTypeThatItUses) {
 INSTANTIATE_TEST_SUITE_P(Types, Schema,
                          testing::Values(TFMessage::type_name, LaserScan::type_name, Odometry::type_name,
                                          PoseStamped::type_name, PoseArray::type_name, Path::type_name,
-                                         OccupancyGrid::type_name));
+                                         OccupancyGrid::type_name, Float64MultiArray::type_name));
 
 }  // namespace
 }  // namespace ddtool::ros

@@ -50,7 +50,8 @@ Message filled() {
 template <typename Message>
 class RosCodec : public testing::Test {};
 
-using Messages = testing::Types<TFMessage, LaserScan, Odometry, PoseStamped, PoseArray, Path, OccupancyGrid>;
+using Messages =
+    testing::Types<TFMessage, LaserScan, Odometry, PoseStamped, PoseArray, Path, OccupancyGrid, Float64MultiArray>;
 TYPED_TEST_SUITE(RosCodec, Messages);
 
 /// Messages have no comparison; the ROS 1 bytes, which are without padding, tell all their fields.

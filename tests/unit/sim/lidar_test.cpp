@@ -9,8 +9,11 @@
 namespace ddtool::sim {
 namespace {
 
-constexpr LidarSettings ideal{
-    .beams = 720, .range_noise_m = 0.0, .drop_out_probability = 0.0, .beam_divergence_rad = 0.0};
+constexpr LidarSettings ideal{.beams = 720,
+                              .range_noise_m = 0.0,
+                              .range_resolution_m = 0.0,
+                              .drop_out_probability = 0.0,
+                              .beam_divergence_rad = 0.0};
 
 std::vector<float> scan_in(const World& world, const LidarSettings& settings, std::uint64_t seed) {
     const RayCaster caster(world);
@@ -48,6 +51,17 @@ TEST(Lidar, NoiseHasTheStatedSpread) {
     }
     const double sd = 0.01 + 0.005 * 4.0;
     EXPECT_NEAR(std::sqrt(squares / settings.beams), sd, 5.0 * sd / std::sqrt(2.0 * settings.beams));
+}
+
+TEST(Lidar, RangesAreMultiplesOfTheResolution) {
+    LidarSettings settings = ideal;
+    settings.range_noise_m = 0.05;
+    settings.range_resolution_m = 0.25;
+    const std::vector<float> exact = scan_in(round_room(4.0), {.beams = 720, .range_noise_m = 0.05}, 1);
+    for (const float range : scan_in(round_room(4.0), settings, 1)) {
+        EXPECT_EQ(std::fmod(range, 0.25F), 0.0F);
+    }
+    EXPECT_NE(std::fmod(exact[0], 0.25F), 0.0F);
 }
 
 TEST(Lidar, DropsOutAsOftenAsStated) {

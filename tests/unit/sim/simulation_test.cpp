@@ -77,6 +77,7 @@ TEST(Simulation, BeamsEndOnTheWallsSeenFromTheTruePose) {
     world.route = {.start = {-2.0, 0.0, 0.5}, .way_points = {{2.0, 1.0}}};
     SimulationSettings settings = small_settings();
     settings.lidar.range_noise_m = 0.0;
+    settings.lidar.range_resolution_m = 0.0;
     const SensorFrame frame = Simulation(world, settings).frame(30).frame;
     for (std::size_t beam = 0; beam < frame.scan.ranges_m.size(); ++beam) {
         const double range_m = frame.scan.ranges_m[beam];
@@ -99,6 +100,7 @@ TEST(Simulation, MotionDistortionTakesEachBeamWhereTheLaserThenWas) {
                       .field_of_view_rad = 1.0,
                       .rate_hz = 2.0,
                       .range_noise_m = 0.0,
+                      .range_resolution_m = 0.0,
                       .drop_out_probability = 0.0,
                       .motion_distortion = true};
     const Simulation simulation(world, settings);

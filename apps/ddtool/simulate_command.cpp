@@ -1,0 +1,103 @@
+#include "simulate_command.hpp"
+
+#include <iostream>
+
+#include "base/progress.hpp"
+#include "eval/table.hpp"
+#include "geometry/tum_file.hpp"
+#include "sim/simulation_json.hpp"
+#include "sim/simulation_log.hpp"
+#include "sim/world_catalogue.hpp"
+#include "sim/world_picture.hpp"
+
+namespace ddtool {
+namespace {
+
+void print_worlds() {
+    Table table({{"world"}, {"what"}});
+    for (const sim::WorldEntry& entry : sim::list_worlds()) {
+        table.add_row({entry.name, entry.description});
+    }
+    std::cout << table.text()
+              << "With -textured behind it, any of them has doors, skirting, pillars and rough outlines.\n"
+              << "A world of your own is a JSON file: --world my-world.json\n";
+}
+
+void write_log(const sim::Simulation& simulation, const std::string& file) {
+    Progress progress("simulate", "scans");
+    sim::write_simulation_log(simulation, file, [&](std::size_t scans) {
+        progress.update(static_cast<double>(scans) / static_cast<double>(simulation.frame_count()), scans);
+    });
+}
+
+Trajectory truth_at_scans(const sim::Simulation& simulation) {
+    Trajectory truth;
+    for (std::size_t index = 0; index < simulation.frame_count(); ++index) {
+        const std::int64_t stamp_ns = simulation.stamp_ns(index);
+        truth.push_back({stamp_ns, *pose_at(simulation.truth(), stamp_ns)});
+    }
+    return truth;
+}
+
+double path_length_m(const Trajectory& trajectory) {
+    double length_m = 0.0;
+    for (std::size_t i = 1; i < trajectory.size(); ++i) {
+        length_m += distance_m(trajectory[i - 1].pose, trajectory[i].pose);
+    }
+    return length_m;
+}
+
+void print_summary(const sim::World& world, const sim::Simulation& simulation) {
+    const Trajectory& truth = simulation.truth();
+    const Pose2 true_end = between(truth.front().pose, truth.back().pose);
+    Table table({{"world"}, {"scans"}, {"duration_s", 1}, {"path_m", 1}, {"odometry_end_error_m"}});
+    table.add_row({world.name, static_cast<std::int64_t>(simulation.frame_count()),
+                   1e-9 * static_cast<double>(truth.back().stamp_ns - truth.front().stamp_ns), path_length_m(truth),
+                   distance_m(true_end, simulation.odometry().back().pose)});
+    std::cout << table.text();
+}
+
+}  // namespace
+
+SimulateCommand::SimulateCommand()
+    : Command("simulate", "Drive a robot through a world where the truth is known",
+              "ddtool simulate --world s2 --seed 1 --out s2.mcap --png s2.png") {}
+
+void SimulateCommand::add_options(CLI::App& app) {
+    bind_option(app, "--world", "world", "A built-in or drawn world, or FILE.json; 'list' describes them");
+    bind_option(app, "--seed", "seed", "Of the sensors' noise; the way driven is the same for all");
+    bind_option(app, "--lidar", "lidar.preset", "ls-m10p, rplidar-a1, hokuyo-utm-30lx or sick-lms");
+    bind_option(app, "--odometry", "odometry.preset", "good, typical or poor");
+    app.add_option("--out", log_file_, "Log to write, with the truth in it")->type_name("FILE.mcap");
+    app.add_option("--ground-truth", truth_file_, "True poses at the scans to write")->type_name("FILE.tum");
+    app.add_option("--odometry-track", odometry_file_, "Odometry to write")->type_name("FILE.tum");
+    app.add_option("--png", picture_file_, "Picture of the world and the driven way to write")->type_name("FILE.png");
+}
+
+Json SimulateCommand::default_settings() const { return sim::default_simulation_json(); }
+
+ExitCode SimulateCommand::run(const Json& settings) {
+    const std::string name = settings.at("world");
+    if (name == "list") {
+        print_worlds();
+        return ExitCode::done;
+    }
+    const sim::World world = sim::load_world(name);
+    const sim::Simulation simulation(world, sim::simulation_from_json(settings));
+    if (!picture_file_.empty()) {
+        sim::write_world_picture(picture_file_, world, simulation.truth());
+    }
+    if (!truth_file_.empty()) {
+        write_tum(truth_file_, truth_at_scans(simulation));
+    }
+    if (!odometry_file_.empty()) {
+        write_tum(odometry_file_, simulation.odometry());
+    }
+    if (!log_file_.empty()) {
+        write_log(simulation, log_file_);
+    }
+    print_summary(world, simulation);
+    return ExitCode::done;
+}
+
+}  // namespace ddtool

@@ -1,0 +1,101 @@
+#include "sim/simulation_log.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "base/atomic_file.hpp"
+#include "logs/log_stream.hpp"
+#include "logs/mcap_reader.hpp"
+#include "logs/ros_codec.hpp"
+#include "sim/simulated_stream.hpp"
+#include "temporary_folder.hpp"
+
+namespace ddtool::sim {
+namespace {
+
+World short_drive() {
+    World world;
+    add_box(world, {}, 10.0, 6.0);
+    world.route = {.start = {-2.0, 0.0, 0.3}, .way_points = {{2.0, 1.0}, {-1.0, -1.0}}};
+    return world;
+}
+
+SimulationSettings small_settings() {
+    SimulationSettings settings;
+    settings.lidar.beams = 45;
+    settings.lidar.motion_distortion = true;
+    settings.robot_from_laser = {0.1, -0.05, 0.4};
+    return settings;
+}
+
+std::filesystem::path write_log(const test::TemporaryFolder& folder, const std::string& name) {
+    const std::filesystem::path file = folder / name;
+    write_simulation_log(Simulation(short_drive(), small_settings()), file, [](std::size_t) {});
+    return file;
+}
+
+void expect_near(const Pose2& pose, const Pose2& expected) {
+    EXPECT_NEAR(distance_m(pose, expected), 0.0, 1e-9);
+    EXPECT_NEAR(wrap_angle(pose.theta_rad - expected.theta_rad), 0.0, 1e-9);
+}
+
+void expect_same_scan(const LaserScan& scan, const LaserScan& expected) {
+    EXPECT_EQ(scan.stamp_ns, expected.stamp_ns);
+    EXPECT_NEAR(scan.angle_increment_rad, expected.angle_increment_rad, 1e-7);
+    EXPECT_NEAR(scan.time_increment_s, expected.time_increment_s, 1e-9);
+    ASSERT_EQ(scan.ranges_m.size(), expected.ranges_m.size());
+    for (std::size_t beam = 0; beam < scan.ranges_m.size(); ++beam) {
+        EXPECT_TRUE(scan.ranges_m[beam] == expected.ranges_m[beam] ||
+                    (std::isnan(scan.ranges_m[beam]) && std::isnan(expected.ranges_m[beam])));
+    }
+}
+
+/// A log and the stream in memory are the same to whoever eats them.
+TEST(SimulationLog, ReadsBackAsTheSimulatedStream) {
+    const test::TemporaryFolder folder;
+    const auto log = open_log(write_log(folder, "drive.mcap"), {}, {});
+    SimulatedStream stream(short_drive(), small_settings());
+    std::size_t count = 0;
+    while (const std::optional<SensorFrame> expected = stream.next()) {
+        const std::optional<SensorFrame> frame = log->next();
+        ASSERT_TRUE(frame) << "after " << count;
+        expect_same_scan(frame->scan, expected->scan);
+        expect_near(frame->robot_from_laser, expected->robot_from_laser);
+        expect_near(frame->odom_from_robot, expected->odom_from_robot);
+        ASSERT_TRUE(frame->world_from_robot);
+        expect_near(*frame->world_from_robot, *expected->world_from_robot);
+        ++count;
+    }
+    EXPECT_FALSE(log->next());
+    EXPECT_GT(count, 50U);
+    EXPECT_EQ(log->summary().problems, 0U);
+}
+
+TEST(SimulationLog, HoldsTheFisherInformationOfEveryScanAtItsStamp) {
+    const test::TemporaryFolder folder;
+    const Simulation simulation(short_drive(), small_settings());
+    McapReader reader(write_log(folder, "drive.mcap"), {});
+    std::size_t index = 0;
+    while (const std::optional<McapMessage> message = reader.next()) {
+        if (message->channel->topic != "/fisher_information") {
+            continue;
+        }
+        const SimulatedFrame expected = simulation.frame(index++);
+        EXPECT_EQ(message->log_time_ns, expected.frame.scan.stamp_ns);
+        const auto matrix = ros::decode_cdr<ros::Float64MultiArray>(message->data);
+        ASSERT_TRUE(matrix);
+        ASSERT_EQ(matrix->data.size(), 9U);
+        EXPECT_EQ(matrix->data[5], expected.fisher_information(1, 2));
+        EXPECT_EQ(matrix->data[0], expected.fisher_information(0, 0));
+    }
+    EXPECT_EQ(index, simulation.frame_count());
+}
+
+TEST(SimulationLog, IsTheSameBytesTwice) {
+    const test::TemporaryFolder folder;
+    EXPECT_EQ(read_file(write_log(folder, "one.mcap")), read_file(write_log(folder, "two.mcap")));
+}
+
+}  // namespace
+}  // namespace ddtool::sim
