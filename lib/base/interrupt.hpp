@@ -1,0 +1,17 @@
+#pragma once
+
+namespace ddtool {
+
+/// While one lives, the first Ctrl-C (SIGINT) or SIGTERM does not end the program but asks it to finish; the second
+/// ends it as usual. One at a time.
+class InterruptRequest {
+public:
+    InterruptRequest();
+    ~InterruptRequest();
+    InterruptRequest(const InterruptRequest&) = delete;
+    InterruptRequest& operator=(const InterruptRequest&) = delete;
+
+    [[nodiscard]] bool made() const;
+};
+
+}  // namespace ddtool
