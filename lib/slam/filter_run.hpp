@@ -1,0 +1,29 @@
+#pragma once
+
+#include <functional>
+
+#include "geometry/trajectory.hpp"
+#include "grid/occupancy_grid.hpp"
+#include "slam/rbpf.hpp"
+
+namespace ddtool {
+
+/// What a filter made of a stream.
+struct FilterRun {
+    Trajectory trajectory;                   ///< a pose for every scan, by the history of the best particle at the end
+    Trajectory online;                       ///< a pose for every scan, as known when it was taken
+    Trajectory ground_truth;                 ///< where the stream has it
+    OccupancyGrid map{OccupancySettings{}};  ///< the best particle's
+    std::uint64_t updates = 0;
+    std::uint64_t resamplings = 0;
+    double read_s = 0.0;  ///< wall time in the stream
+    StageTimes times;
+};
+
+/// Sees every frame after the filter has taken it, and whether it moved the filter; false ends the run.
+using FrameObserver = std::function<bool(const SensorFrame& frame, bool moved)>;
+
+/// Feeds the filter from a stream to its end; everything is empty when there was no scan.
+FilterRun run_filter(SensorStream& stream, Rbpf& filter, const FrameObserver& observe);
+
+}  // namespace ddtool

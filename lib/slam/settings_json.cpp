@@ -1,0 +1,58 @@
+#include "slam/settings_json.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <string>
+
+#include "base/error.hpp"
+#include "base/json_struct.hpp"
+
+namespace ddtool {
+
+DDTOOL_JSON_STRUCT(MotionNoise, translation_per_translation, translation_per_rotation, rotation_per_translation,
+                   rotation_per_rotation)
+DDTOOL_JSON_STRUCT(OccupancySettings, cell_size_m, hit_step, free_step, min_log_odds, max_log_odds)
+DDTOOL_JSON_STRUCT(ScanPointsSettings, usable_range_m, normal_radius_m, min_along_weight)
+DDTOOL_JSON_STRUCT(ScanMatcherSettings, reach_m, max_iterations, beam_sigma_m, doubtful_score, search_turn_rad,
+                   search_distance_m)
+DDTOOL_JSON_STRUCT(RbpfSettings, particles, seed, update_distance_m, update_turn_rad, resample_share, likelihood_gain,
+                   min_match_score, insert_distance_m, insert_turn_rad, prior_scale, motion, grid, points, matcher)
+
+namespace {
+
+constexpr double smallest = std::numeric_limits<double>::min();
+
+void expect_between(const Json& json, const std::string& path, double least, double most, const std::string& expected) {
+    const Json::json_pointer pointer("/" + path);
+    const double value = json.at(pointer);
+    if (!(value >= least && value <= most)) {
+        std::string key = "filter." + path;
+        std::replace(key.begin(), key.end(), '/', '.');
+        throw UsageError(key + ": expected " + expected + ", not " + json.at(pointer).dump());
+    }
+}
+
+void expect_above_zero(const Json& json, const std::string& path) {
+    expect_between(json, path, smallest, std::numeric_limits<double>::max(), "a number above 0");
+}
+
+}  // namespace
+
+Json filter_settings_json(const RbpfSettings& settings) { return settings; }
+
+RbpfSettings filter_settings_from_json(const Json& json) {
+    expect_between(json, "particles", 1, 1e6, "1 to 1000000");
+    expect_between(json, "seed", 0, 1.8e19, "a whole number, 0 or more");
+    for (const char* path : {"update_distance_m", "update_turn_rad", "grid/cell_size_m", "points/usable_range_m",
+                             "matcher/reach_m", "matcher/beam_sigma_m"}) {
+        expect_above_zero(json, path);
+    }
+    for (const char* path : {"grid/hit_step", "grid/free_step"}) {
+        expect_between(json, path, 1, 27, "1 to 27");
+    }
+    expect_between(json, "grid/min_log_odds", -100, -1, "-100 to -1");
+    expect_between(json, "grid/max_log_odds", 1, 100, "1 to 100");
+    return json.get<RbpfSettings>();
+}
+
+}  // namespace ddtool
