@@ -1,0 +1,51 @@
+#include "results/run_report.hpp"
+
+#include <algorithm>
+
+#include "base/json_struct.hpp"
+#include "eval/trajectory_score.hpp"
+
+namespace ddtool {
+
+DDTOOL_JSON_STRUCT(StageTimes, prepare_s, match_s, detect_s, correct_s, resample_s, map_s)
+
+namespace {
+
+double length_m(const Trajectory& trajectory) {
+    double sum_m = 0.0;
+    for (std::size_t i = 1; i < trajectory.size(); ++i) {
+        sum_m += distance_m(trajectory[i - 1].pose, trajectory[i].pose);
+    }
+    return sum_m;
+}
+
+/// From the earliest to the latest stamp: old logs jitter backwards.
+double duration_s(const Trajectory& trajectory) {
+    if (trajectory.empty()) {
+        return 0.0;
+    }
+    const auto [first, last] =
+        std::minmax_element(trajectory.begin(), trajectory.end(),
+                            [](const StampedPose& a, const StampedPose& b) { return a.stamp_ns < b.stamp_ns; });
+    return 1e-9 * static_cast<double>(last->stamp_ns - first->stamp_ns);
+}
+
+}  // namespace
+
+Json run_report(const FilterRun& run, const MapRaster& map) {
+    Json stages{{"read_s", run.read_s}};
+    stages.update(Json(run.times));
+    Json report{{"scans", run.trajectory.size()},
+                {"updates", run.updates},
+                {"resamplings", run.resamplings},
+                {"duration_s", duration_s(run.trajectory)},
+                {"path_m", length_m(run.trajectory)},
+                {"map", {{"width_m", map.width_m()}, {"height_m", map.height_m()}, {"cell_size_m", map.cell_size_m}}},
+                {"stages", stages}};
+    if (!run.ground_truth.empty()) {
+        report["errors"] = score_json(score_against(run.trajectory, run.ground_truth));
+    }
+    return report;
+}
+
+}  // namespace ddtool

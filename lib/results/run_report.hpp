@@ -1,0 +1,13 @@
+#pragma once
+
+#include "base/settings.hpp"
+#include "results/map_raster.hpp"
+#include "slam/filter_run.hpp"
+
+namespace ddtool {
+
+/// What one run of the filter did, for run.json: counts, the span of time by the scans' stamps, the path's length, the
+/// map's size, wall time a stage, and, where the truth is known, the trajectory's errors (score_json()).
+Json run_report(const FilterRun& run, const MapRaster& map);
+
+}  // namespace ddtool
