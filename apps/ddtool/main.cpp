@@ -6,6 +6,7 @@
 #include "program.hpp"
 #include "score_command.hpp"
 #include "simulate_command.hpp"
+#include "slam_command.hpp"
 
 namespace ddtool {
 namespace {
@@ -15,6 +16,7 @@ CommandTable all_commands() {
     table.push_back(std::make_unique<ConvertCommand>());
     table.push_back(std::make_unique<ScoreCommand>());
     table.push_back(std::make_unique<SimulateCommand>());
+    table.push_back(std::make_unique<SlamCommand>());
     return table;
 }
 
