@@ -51,10 +51,10 @@ void close_row(World& world, const Room& last) {
 /// Boxes along the back wall and in the corners away from the door's line, which the robot drives.
 void furnish(World& world, const Room& room, RandomStream& random) {
     const double side = std::copysign(1.0, room.back_wall_m - room.corridor_wall_m);
-    const double depth_m = random.uniform(0.4, 0.8);
-    const double width_m = random.uniform(0.8, std::min(2.5, room.right_m - room.left_m - 0.4));
-    const double x = random.uniform(room.left_m + width_m / 2.0, room.right_m - width_m / 2.0);
-    add_box(world, {x, room.back_wall_m - side * depth_m / 2.0, 0.0}, width_m, depth_m);
+    const double into_room_m = random.uniform(0.4, 0.8);
+    const double along_wall_m = random.uniform(0.8, std::min(2.5, room.right_m - room.left_m - 0.4));
+    const double x = random.uniform(room.left_m + along_wall_m / 2.0, room.right_m - along_wall_m / 2.0);
+    add_box(world, {x, room.back_wall_m - side * into_room_m / 2.0, 0.0}, along_wall_m, into_room_m);
     for (const double corner_m : {room.left_m + 0.3, room.right_m - 0.3}) {
         if (std::abs(corner_m - room.door_m) > 1.2) {
             add_box(world, {corner_m, room.corridor_wall_m + side * random.uniform(0.6, 1.5), 0.0}, 0.5,

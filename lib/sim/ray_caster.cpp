@@ -71,7 +71,10 @@ double entry_range(double origin, double direction, double size) {
     }
     const double border = origin < 0.0 ? 0.0 : size;
     const double range = (border - origin) / direction;
-    return range >= 0.0 ? range : infinity;
+    if (range >= 0.0) {
+        return range;
+    }
+    return infinity;
 }
 
 }  // namespace

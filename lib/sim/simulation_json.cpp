@@ -48,7 +48,9 @@ void expect(bool good, const std::string& key, const std::string& expected) {
 
 void expect_not_negative(const Json& values, const std::string& where) {
     for (const auto& [key, value] : values.items()) {
-        expect(!value.is_number() || value.get<double>() >= 0.0, where + "." + key, "a number, 0 or more");
+        std::string name = where;
+        name.append(".").append(key);
+        expect(!value.is_number() || value.get<double>() >= 0.0, name, "a number, 0 or more");
     }
 }
 

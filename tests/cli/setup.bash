@@ -1,0 +1,15 @@
+# Sourced by the tests here: a folder of their own to work in, and expect.
+folder=$(mktemp -d)
+trap 'rm -rf -- "$folder"' EXIT
+cd "$folder"
+
+# expect CODE TEXT COMMAND...: the command ends with CODE and its output holds TEXT.
+expect() {
+    local code=$1 text=$2 output status=0
+    shift 2
+    output=$("$@" 2>&1) || status=$?
+    if [[ $status -ne $code || $output != *"$text"* ]]; then
+        printf 'FAILED: %s\nexpected exit code %s and "%s", got %s and:\n%s\n' "$*" "$code" "$text" "$status" "$output"
+        exit 1
+    fi
+}
