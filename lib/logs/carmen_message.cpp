@@ -33,7 +33,8 @@ public:
     /// A count of values that this line can hold, each being at least two characters.
     std::size_t count() {
         const double value = number();
-        ok_ = ok_ && value >= 0.0 && value == std::floor(value) && value <= static_cast<double>(words_.size() / 2);
+        const std::size_t most = words_.size() / 2;
+        ok_ = ok_ && value >= 0.0 && value == std::floor(value) && value <= static_cast<double>(most);
         return ok_ ? static_cast<std::size_t>(value) : 0;
     }
     [[nodiscard]] bool ok() const { return ok_; }

@@ -20,20 +20,19 @@ void check_options(const std::string& file, const LogOptions& options) {
         throw UsageError(file + ": has no scans '" + options.scan_topic +
                          "'; in a CARMEN log they are FLASER or ROBOTLASER1");
     }
-    for (const std::string& topic : {options.odom_topic, options.ground_truth_topic}) {
-        if (!topic.empty()) {
-            throw UsageError(file + ": has no topic '" + topic +
-                             "'; in a CARMEN log the odometry is in the scans, and there is no ground truth");
-        }
+    const std::string& other_topic = options.odom_topic.empty() ? options.ground_truth_topic : options.odom_topic;
+    if (!other_topic.empty()) {
+        throw UsageError(file + ": has no topic '" + other_topic +
+                         "'; in a CARMEN log the odometry is in the scans, and there is no ground truth");
     }
 }
 
 }  // namespace
 
-CarmenStream::CarmenStream(const std::filesystem::path& path, const LogOptions& options, LogProblemHandler on_problem)
+CarmenStream::CarmenStream(const std::filesystem::path& path, LogOptions options, LogProblemHandler on_problem)
     : LogStream(std::move(on_problem)),
       file_(path.string()),
-      options_(options),
+      options_(std::move(options)),
       lines_(open_text(path, [this](const LogProblem& problem) { report(problem); })) {
     check_options(file_, options_);
     summary_.format = "CARMEN";

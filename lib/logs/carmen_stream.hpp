@@ -21,7 +21,7 @@ class CarmenStream : public LogStream {
 public:
     static constexpr std::size_t scans_read_ahead = 1000;
 
-    CarmenStream(const std::filesystem::path& path, const LogOptions& options, LogProblemHandler on_problem);
+    CarmenStream(const std::filesystem::path& path, LogOptions options, LogProblemHandler on_problem);
 
     std::optional<SensorFrame> next() override;
     [[nodiscard]] double fraction_read() const override;

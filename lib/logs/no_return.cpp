@@ -16,7 +16,7 @@ using Iterator = std::vector<float>::const_iterator;
 std::pair<Iterator, Iterator> longest_run(Iterator begin, Iterator end) {
     std::pair<Iterator, Iterator> longest{begin, begin};
     while (begin != end) {
-        const Iterator next = std::upper_bound(begin, end, *begin);
+        const auto next = std::upper_bound(begin, end, *begin);
         if (next - begin > longest.second - longest.first) {
             longest = {begin, next};
         }

@@ -22,6 +22,17 @@ struct CloseFile {
 };
 using File = std::unique_ptr<std::FILE, CloseFile>;
 
+struct CloseGzip {
+    void operator()(gzFile_s* file) const { ::gzclose(file); }
+};
+
+struct CloseBzip2 {
+    void operator()(BZFILE* stream) const {
+        int code = BZ_OK;
+        ::BZ2_bzReadClose(&code, stream);
+    }
+};
+
 File open_file(const std::filesystem::path& path) {
     if (std::filesystem::is_directory(path)) {
         throw Error(path.string() + ": is a folder; expected a log file");
@@ -50,17 +61,16 @@ class GzipSource : public TextSource {
 public:
     GzipSource(const std::filesystem::path& path, LogProblemHandler on_problem)
         : path_(path), on_problem_(std::move(on_problem)), size_(std::filesystem::file_size(path)) {
-        file_ = ::gzopen(path.c_str(), "rbe");
-        if (file_ == nullptr) {
+        file_.reset(::gzopen(path.c_str(), "rbe"));
+        if (!file_) {
             throw Error(path.string() + ": cannot open: " + std::strerror(errno));
         }
-        ::gzbuffer(file_, 1U << 17U);
+        ::gzbuffer(file_.get(), 1U << 17U);
     }
-    ~GzipSource() override { ::gzclose(file_); }
 
     std::size_t read(std::span<char> buffer) override {
         const auto wanted = static_cast<unsigned>(std::min<std::size_t>(buffer.size(), 1U << 30U));
-        const int got = ::gzread(file_, buffer.data(), wanted);
+        const int got = ::gzread(file_.get(), buffer.data(), wanted);
         if (!ended_ && (got < 0 || static_cast<unsigned>(got) < wanted)) {
             ended_ = true;
             report_damage();
@@ -68,15 +78,15 @@ public:
         return static_cast<std::size_t>(std::max(got, 0));
     }
     [[nodiscard]] double fraction_read() const override {
-        return fraction(static_cast<double>(::gzoffset(file_)), size_);
+        return fraction(static_cast<double>(::gzoffset(file_.get())), size_);
     }
 
 private:
     void report_damage() const {
         int code = Z_OK;
-        ::gzerror(file_, &code);
+        ::gzerror(file_.get(), &code);
         if (code != Z_OK && code != Z_STREAM_END) {
-            const auto offset = static_cast<std::uintmax_t>(::gzoffset(file_));
+            const auto offset = static_cast<std::uintmax_t>(::gzoffset(file_.get()));
             on_problem_(damage(path_, "gzip", offset, size_));
         }
     }
@@ -84,7 +94,7 @@ private:
     std::filesystem::path path_;
     LogProblemHandler on_problem_;
     std::uintmax_t size_;
-    gzFile file_ = nullptr;
+    std::unique_ptr<gzFile_s, CloseGzip> file_;
     bool ended_ = false;
 };
 
@@ -98,11 +108,10 @@ public:
           file_(open_file(path)) {
         open_stream({});
     }
-    ~Bzip2Source() override { close_stream(); }
 
     std::size_t read(std::span<char> buffer) override {
         std::size_t filled = 0;
-        while (stream_ != nullptr && filled < buffer.size()) {
+        while (stream_ && filled < buffer.size()) {
             filled += read_stream(buffer.subspan(filled));
         }
         return filled;
@@ -115,12 +124,12 @@ private:
     std::size_t read_stream(std::span<char> buffer) {
         const auto wanted = static_cast<int>(std::min<std::size_t>(buffer.size(), 1U << 30U));
         int code = BZ_OK;
-        const int got = ::BZ2_bzRead(&code, stream_, buffer.data(), wanted);
+        const int got = ::BZ2_bzRead(&code, stream_.get(), buffer.data(), wanted);
         if (code == BZ_STREAM_END) {
             next_stream();
         } else if (code != BZ_OK) {
             on_problem_(damage(path_, "bzip2", static_cast<std::uintmax_t>(std::ftell(file_.get())), size_));
-            close_stream();
+            stream_.reset();
             return 0;
         }
         return static_cast<std::size_t>(got);
@@ -130,9 +139,9 @@ private:
         int code = BZ_OK;
         void* unused = nullptr;
         int unused_size = 0;
-        ::BZ2_bzReadGetUnused(&code, stream_, &unused, &unused_size);
+        ::BZ2_bzReadGetUnused(&code, stream_.get(), &unused, &unused_size);
         const std::string rest(static_cast<const char*>(unused), static_cast<std::size_t>(unused_size));
-        close_stream();
+        stream_.reset();
         if (!rest.empty() || !at_end_of_file()) {
             open_stream(rest);
         }
@@ -146,17 +155,9 @@ private:
 
     void open_stream(std::string rest) {
         int code = BZ_OK;
-        stream_ = ::BZ2_bzReadOpen(&code, file_.get(), 0, 0, rest.data(), static_cast<int>(rest.size()));
+        stream_.reset(::BZ2_bzReadOpen(&code, file_.get(), 0, 0, rest.data(), static_cast<int>(rest.size())));
         if (code != BZ_OK) {
             throw Error(path_.string() + ": cannot start reading bzip2 data");
-        }
-    }
-
-    void close_stream() {
-        if (stream_ != nullptr) {
-            int code = BZ_OK;
-            ::BZ2_bzReadClose(&code, stream_);
-            stream_ = nullptr;
         }
     }
 
@@ -164,7 +165,7 @@ private:
     LogProblemHandler on_problem_;
     std::uintmax_t size_;
     File file_;
-    BZFILE* stream_ = nullptr;
+    std::unique_ptr<BZFILE, CloseBzip2> stream_;  // closed before its file
 };
 
 bool is_bzip2(const std::filesystem::path& path) {
