@@ -2,6 +2,7 @@
 #include <memory>
 
 #include "base/log.hpp"
+#include "compare_command.hpp"
 #include "convert_command.hpp"
 #include "program.hpp"
 #include "score_command.hpp"
@@ -13,6 +14,7 @@ namespace {
 
 CommandTable all_commands() {
     CommandTable table;
+    table.push_back(std::make_unique<CompareCommand>());
     table.push_back(std::make_unique<ConvertCommand>());
     table.push_back(std::make_unique<ScoreCommand>());
     table.push_back(std::make_unique<SimulateCommand>());

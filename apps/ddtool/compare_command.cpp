@@ -1,0 +1,86 @@
+#include "compare_command.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <iostream>
+
+#include "base/log.hpp"
+#include "base/progress.hpp"
+#include "compare/report.hpp"
+#include "compare/result_tables.hpp"
+#include "compare/world_pictures.hpp"
+#include "version.hpp"
+
+namespace ddtool {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+std::string this_program() { return versions().front().name + " " + versions().front().number; }
+
+/// Results of another build may differ from what this one would compute.
+void warn_of_other_builds(const std::vector<compare::CellResult>& results) {
+    const auto others = std::count_if(results.begin(), results.end(), [](const compare::CellResult& result) {
+        return result.failure.empty() && result.program != this_program();
+    });
+    if (others > 0) {
+        log_warning(std::to_string(others) + " of " + std::to_string(results.size()) +
+                    " results were computed by another build; another --out computes them anew");
+    }
+}
+
+/// Whether all runs were scored and nothing in their logs was skipped; says what was.
+bool complete(const std::vector<compare::CellResult>& results) {
+    const auto failed = std::count_if(results.begin(), results.end(),
+                                      [](const compare::CellResult& result) { return !result.failure.empty(); });
+    const auto damaged = std::count_if(results.begin(), results.end(),
+                                       [](const compare::CellResult& result) { return result.log_problems > 0; });
+    if (failed > 0) {
+        log_warning(std::to_string(failed) + " of " + std::to_string(results.size()) + " runs failed");
+    }
+    if (damaged > 0) {
+        log_warning(std::to_string(damaged) + " runs used a log of which something was skipped: see ddtool info");
+    }
+    return failed == 0 && damaged == 0;
+}
+
+}  // namespace
+
+CompareCommand::CompareCommand()
+    : Command("compare", "Methods on worlds over seeds: a table with spread and significance, and pictures",
+              "ddtool compare --config configs/compare/quick.json --out out/quick") {}
+
+void CompareCommand::add_options(CLI::App& app) {
+    app.add_option("--out", folder_, "Where results go; what is finished there is not run again")
+        ->type_name("FOLDER")
+        ->required();
+    app.add_option("--threads", threads_, "Runs at the same time; 0 is one a core")->capture_default_str();
+    app.add_flag("--json", as_json_, "Print JSON instead of a table");
+}
+
+Json CompareCommand::default_settings() const { return compare::default_experiment_json(); }
+
+ExitCode CompareCommand::run(const Json& settings) {
+    const Clock::time_point start = Clock::now();
+    const compare::Experiment experiment = compare::experiment_from_json(settings);
+    const std::vector<compare::Cell> cells = compare::cells_of(experiment);
+    compare::ResultStore store(folder_);
+    ThreadPool threads(threads_);
+    const auto [results, computed] = compare::run_cells(experiment, cells, store, threads, this_program());
+    log_info("drawing");
+    const std::vector<compare::Picture> pictures =
+        compare::draw_worlds(folder_, experiment, cells, results, store, threads);
+    compare::write_report(folder_, experiment, cells, results, pictures);
+    if (as_json_) {
+        std::cout << compare::report_json(experiment, cells, results).dump(2) << '\n';
+    } else {
+        std::cout << compare::overview_table(experiment, compare::summaries_of(experiment, cells, results)).text();
+    }
+    warn_of_other_builds(results);
+    log_info(std::to_string(computed) + " of " + std::to_string(cells.size()) + " runs computed, " +
+             format_duration(std::chrono::duration<double>(Clock::now() - start).count()) + " in all; report in " +
+             folder_ + "/results.md");
+    return complete(results) ? ExitCode::done : ExitCode::done_with_loss;
+}
+
+}  // namespace ddtool

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "compare/experiment.hpp"
+#include "compare/runner.hpp"
+
+namespace ddtool::compare::test {
+
+/// A room of 4 x 4 m and one metre of way: a simulated run takes milliseconds.
+inline std::string write_tiny_world(const std::filesystem::path& file, double far_wall_m = 2.0) {
+    const Json world{{"name", "tiny"},
+                     {"description", "a room"},
+                     {"start", {-0.5, 0.0, 0.0}},
+                     {"way_points", {{0.5, 0.0}}},
+                     {"walls", {{{-2, -2}, {far_wall_m, -2}, {2, 2}, {-2, 2}, {-2, -2}}}}};
+    std::ofstream(file) << world;
+    return file.string();
+}
+
+/// Odometry and a filter of two particles on that world, with a lidar of few beams.
+inline Json tiny_settings(const std::string& world_file) {
+    Json settings = default_experiment_json();
+    merge_settings(settings,
+                   {{"worlds", Json::array({{{"name", "tiny"}, {"world", world_file}}})},
+                    {"methods", Json::array({{{"name", "odometry"}, {"kind", "odometry"}},
+                                             {{"name", "filter"}, {"filter", {{"particles", 2}}}}})},
+                    {"seeds", {{"count", 3}}},
+                    {"simulation", {{"lidar", {{"beams", 90}, {"rate_hz", 5.0}}}}}},
+                   "test");
+    return settings;
+}
+
+inline RunOutcome run_in(const std::filesystem::path& folder, const Json& settings, std::size_t threads = 1) {
+    const Experiment experiment = experiment_from_json(settings);
+    ResultStore store(folder);
+    ThreadPool pool(threads);
+    return run_cells(experiment, cells_of(experiment), store, pool, "this build");
+}
+
+}  // namespace ddtool::compare::test
