@@ -37,8 +37,8 @@ std::string power_note(const Experiment& experiment) {
         return "";
     }
     const auto needed = static_cast<std::size_t>(std::floor(std::log2(static_cast<double>(tests) / 0.05)) + 2.0);
-    return "\nNo difference can reach 0.05 here: with " + std::to_string(tests) +
-           " tests the strongest one needs at least " + std::to_string(needed) + " seeds.\n";
+    return "\nNo difference can reach 0.05 here: too few seeds for the number of tests (" + std::to_string(tests) +
+           "); " + std::to_string(needed) + " are the fewest.\n";
 }
 
 std::string metric_sections(const Experiment& experiment, const std::vector<Summary>& summaries) {

@@ -10,7 +10,7 @@ constexpr double margins_px = 90.0;  ///< of a panel: title, ticks, label
 
 std::size_t columns_for(const Extent& extent, std::size_t panels) {
     const double aspect = extent.x.length() / std::max(extent.y.length(), 1e-9);
-    const std::size_t most = aspect > 5.0 ? 1 : aspect > 2.5 ? 2 : 4;
+    const std::size_t most = aspect > 5.0 ? 1 : aspect > 2.0 ? 2 : 4;
     return std::min(panels, most);
 }
 

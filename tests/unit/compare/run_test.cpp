@@ -68,6 +68,7 @@ TEST_F(RunTest, DrawsThePicturesThatTheReportNames) {
     write_report(folder_ / "out", experiment, cells, results, pictures);
     std::ifstream file(folder_ / "out/results.md");
     const std::string text{std::istreambuf_iterator<char>(file), {}};
+    EXPECT_THAT(text, HasSubstr("too few seeds for the number of tests (1); 6 are the fewest"));
     EXPECT_EQ(pictures.size(), 3U);
     for (const Picture& picture : pictures) {
         EXPECT_GT(std::filesystem::file_size(folder_ / ("out/" + picture.file)), 1000U);
