@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 
 #include "compare/run_pictures.hpp"
 #include "compare/trajectory_map.hpp"
@@ -7,6 +8,9 @@
 namespace ddtool::compare {
 namespace {
 
+constexpr std::uint8_t unknown_grey = 205;
+constexpr std::array<std::uint8_t, 1> unknown_pixel{unknown_grey};
+
 /// Occupied black, free white, unknown grey; the first row at the top.
 std::vector<std::uint8_t> grey_pixels(const MapRaster& map) {
     std::vector<std::uint8_t> pixels;
@@ -14,7 +18,7 @@ std::vector<std::uint8_t> grey_pixels(const MapRaster& map) {
     for (std::size_t row = map.height; row-- > 0;) {
         for (std::size_t column = 0; column < map.width; ++column) {
             const std::int8_t cell = map.cells[row * map.width + column];
-            pixels.push_back(cell == MapRaster::occupied ? 0 : cell == MapRaster::free ? 255 : 205);
+            pixels.push_back(cell == MapRaster::occupied ? 0 : cell == MapRaster::free ? 255 : unknown_grey);
         }
     }
     return pixels;
@@ -65,6 +69,7 @@ void draw_maps(const std::filesystem::path& file, const ShownRun& run) {
         const MapRaster& map = maps[panel].raster;
         const std::vector<std::uint8_t> pixels = grey_pixels(map);
         axes.title(maps[panel].title);
+        axes.picture({.width_px = 1, .height_px = 1, .channels = 1, .pixels = unknown_pixel}, extent.x, extent.y);
         axes.picture({.width_px = map.width, .height_px = map.height, .channels = 1, .pixels = pixels}, x_of(map),
                      y_of(map));
     });
