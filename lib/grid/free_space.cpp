@@ -29,7 +29,7 @@ const std::vector<CellSpan>& FreeSpace::find(const ScanPoints& points, const std
     spans_.clear();
     double share_before = 0.0;
     for (std::size_t i = 0; i < ends_cells.size(); ++i) {
-        const bool has_next = i + 1 < ends_cells.size() && points.beam[i + 1] - points.beam[i] == 1;
+        const bool has_next = i + 1 < ends_cells.size() && points.order[i + 1] - points.order[i] == 1;
         const double share = has_next ? shrink(origin_cells, ends_cells[i], ends_cells[i + 1], margin_cells_) : 0.0;
         const Point2 near_point = towards(origin_cells, ends_cells[i], share);
         // Two neighbouring triangles share this beam's line; only the piece that one of them has alone is outline.

@@ -91,19 +91,26 @@ void OccupancyGrid::add_hit(Cell cell, NearestPoint offset) {
     spread(cell, offset);
 }
 
+/// Row by row and patch by patch: this runs for every end point whose cell's mean moved.
 void OccupancyGrid::spread(Cell occupied_cell, NearestPoint offset) {
-    for_each_around(occupied_cell, [&](Cell cell) {
-        const NearestPoint candidate = moved(offset, occupied_cell, cell);
-        const Patch& patch = patch_at(cell);
-        const std::size_t local = Patch::local(cell.x, cell.y);
-        const NearestPoint present = patch.nearest[local];
-        // An occupied cell always points at its own mean: add_hit reads it there.
-        const bool replaces = cell == occupied_cell || present.none() || lies_in(present, cell, occupied_cell) ||
-                              (patch.log_odds[local] <= 0 && squared_length(candidate) < squared_length(present));
-        if (replaces && present != candidate) {
-            writable_patch(cell).nearest[local] = candidate;
+    const int x_end = occupied_cell.x + field_radius + 1;
+    for (int y = occupied_cell.y - field_radius; y <= occupied_cell.y + field_radius; ++y) {
+        for (int x = occupied_cell.x - field_radius; x < x_end;) {
+            const int piece_end = std::min(x_end, (x | Patch::local_mask) + 1);
+            Patch& patch = writable_patch({x, y});
+            std::size_t local = Patch::local(x, y);
+            for (; x < piece_end; ++x, ++local) {
+                const NearestPoint present = patch.nearest[local];
+                const NearestPoint candidate = moved(offset, occupied_cell, {x, y});
+                // An occupied cell always points at its own mean: add_hit reads it there.
+                const bool nearer = patch.log_odds[local] <= 0 && squared_length(candidate) < squared_length(present);
+                if (nearer || present.none() || lies_in(present, {x, y}, occupied_cell)) {
+                    patch.nearest[local] = candidate;
+                }
+            }
         }
-    });
+    }
+    writable_patch(occupied_cell).nearest[Patch::local(occupied_cell.x, occupied_cell.y)] = offset;
 }
 
 void OccupancyGrid::add_free(int y, int x_begin, int x_end) {

@@ -20,26 +20,31 @@ struct Moments {
     }
 };
 
-constexpr std::size_t neighbours_each_side = 12;
+constexpr std::size_t most_neighbours_each_side = 12;
+/// Taken however far they are: beams along a wall far ahead are metres apart, and still show its direction.
+constexpr std::size_t least_neighbours_each_side = 2;
 constexpr double points_of_a_line = 4.0;
 
-/// Adds neighbours from `point` in steps of `step` while they are of adjacent beams and within the radius.
+/// Adds neighbours from `point` in steps of `step` while they are of adjacent beams.
 void add_side(const ScanPoints& points, std::size_t point, int step, double radius_m, Moments& moments) {
     std::size_t last = point;
-    for (std::size_t taken = 0; taken < neighbours_each_side; ++taken) {
+    for (std::size_t taken = 0; taken < most_neighbours_each_side; ++taken) {
         const std::size_t next = last + static_cast<std::size_t>(step);  // wraps below zero to a huge index
-        if (next >= points.size() || std::abs(points.beam[next] - points.beam[last]) > 2) {
+        if (next >= points.size() || std::abs(points.order[next] - points.order[last]) > 2) {
             return;
         }
         const double dx = static_cast<double>(points.x_m[next]) - static_cast<double>(points.x_m[point]);
         const double dy = static_cast<double>(points.y_m[next]) - static_cast<double>(points.y_m[point]);
-        if (dx * dx + dy * dy > radius_m * radius_m) {
+        if (taken >= least_neighbours_each_side && dx * dx + dy * dy > radius_m * radius_m) {
             return;
         }
         moments.add(dx, dy);
         last = next;
     }
 }
+
+/// Neighbours farther apart than the radius are of one surface only if they lie on a line this well.
+constexpr double far_line_residual_m = 0.04;
 
 void set_normal(ScanPoints& points, std::size_t point, const ScanPointsSettings& settings) {
     Moments m;
@@ -54,32 +59,71 @@ void set_normal(ScanPoints& points, std::size_t point, const ScanPointsSettings&
     const double yy = m.yy / m.count - m.y * m.y / (m.count * m.count);
     const double root = std::hypot((xx - yy) / 2.0, xy);
     const double largest = (xx + yy) / 2.0 + root;
-    const double smallest = (xx + yy) / 2.0 - root;
+    const double smallest = std::max((xx + yy) / 2.0 - root, 0.0);
+    if (std::sqrt(largest) > settings.normal_radius_m && std::sqrt(smallest) > far_line_residual_m) {
+        return;
+    }
     const double line_angle_rad = std::atan2(2.0 * xy, xx - yy) / 2.0;
     points.normal_x[point] = static_cast<float>(-std::sin(line_angle_rad));
     points.normal_y[point] = static_cast<float>(std::cos(line_angle_rad));
-    const double flatness = std::sqrt(std::max(smallest, 0.0) / std::max(largest, 1e-12));
-    points.along_weight[point] = static_cast<float>(std::clamp(flatness, settings.min_along_weight, 1.0));
+    const double flatness = std::sqrt(smallest / std::max(largest, 1e-12));
+    points.along_weight[point] = static_cast<float>(std::min(flatness, 1.0));
+}
+
+/// Neighbouring end points on the way to becoming one.
+struct Group {
+    Point2 first;
+    Point2 sum;
+    double count = 0.0;
+
+    [[nodiscard]] bool takes(const Point2& end, double spacing_m) const {
+        return count > 0.0 && std::hypot(end.x_m - first.x_m, end.y_m - first.y_m) < spacing_m;
+    }
+    void add(const Point2& end) {
+        if (count == 0.0) {
+            first = end;
+        }
+        sum = {sum.x_m + end.x_m, sum.y_m + end.y_m};
+        count += 1.0;
+    }
+};
+
+void close_group(ScanPoints& points, Group& group, std::int32_t order) {
+    if (group.count > 0.0) {
+        points.x_m.push_back(static_cast<float>(group.sum.x_m / group.count));
+        points.y_m.push_back(static_cast<float>(group.sum.y_m / group.count));
+        points.order.push_back(order);
+    }
+    group = {};
+}
+
+void add_end_points(ScanPoints& points, const SensorFrame& frame, const ScanPointsSettings& settings) {
+    Group group;
+    std::int32_t order = 0;
+    for (std::size_t beam = 0; beam < frame.scan.ranges_m.size(); ++beam) {
+        const auto range_m = static_cast<double>(frame.scan.ranges_m[beam]);
+        if (!(range_m <= settings.usable_range_m)) {
+            close_group(points, group, order);
+            order += 2;
+            continue;
+        }
+        const double angle = frame.scan.angle_rad(beam);
+        const Point2 end = frame.robot_from_laser * Point2{range_m * std::cos(angle), range_m * std::sin(angle)};
+        if (!group.takes(end, settings.spacing_m)) {
+            close_group(points, group, order);
+            ++order;
+        }
+        group.add(end);
+    }
+    close_group(points, group, order);
 }
 
 }  // namespace
 
 ScanPoints scan_points(const SensorFrame& frame, const ScanPointsSettings& settings) {
-    const LaserScan& scan = frame.scan;
     ScanPoints points;
     points.origin_m = {frame.robot_from_laser.x_m, frame.robot_from_laser.y_m};
-    const std::size_t beams = scan.ranges_m.size();
-    for (std::size_t i = 0; i < beams; ++i) {
-        const double range_m = static_cast<double>(scan.ranges_m[i]);
-        if (!(range_m <= settings.usable_range_m)) {
-            continue;
-        }
-        const double angle = scan.angle_rad(i);
-        const Point2 end = frame.robot_from_laser * Point2{range_m * std::cos(angle), range_m * std::sin(angle)};
-        points.x_m.push_back(static_cast<float>(end.x_m));
-        points.y_m.push_back(static_cast<float>(end.y_m));
-        points.beam.push_back(static_cast<std::int32_t>(i));
-    }
+    add_end_points(points, frame, settings);
     points.normal_x.assign(points.size(), 1.0F);
     points.normal_y.assign(points.size(), 0.0F);
     points.along_weight.assign(points.size(), 1.0F);

@@ -22,9 +22,9 @@ struct RbpfSettings {
     std::uint64_t seed = 1;
     double update_distance_m = 0.1;  ///< the filter updates after this much odometry motion
     double update_turn_rad = 0.1;    ///< or this much turning
-    double resample_share = 0.5;     ///< resample when the effective sample size falls below this share of particles
+    double resample_share = 0.3;     ///< resample when the effective sample size falls below this share of particles
     /// Exponent on the scan's likelihood: neighbouring beams and scans err together, so their product is too sure.
-    double likelihood_gain = 0.02;
+    double likelihood_gain = 0.05;
     /// A match with a lower mean beam score is no match: the particle keeps its predicted pose.
     double min_match_score = 0.1;
     /// Scans enter the map after this much motion or turning since the last that did.

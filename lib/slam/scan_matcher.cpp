@@ -29,6 +29,12 @@ struct CellPose {
           y(static_cast<float>(pose.y_m / cell_size_m - y0)) {}
 };
 
+/// std::floor is a library call on processors without SSE4.1. Coordinates are cells from the robot.
+int floor_of(float value) {
+    constexpr int offset = 1 << 14;
+    return static_cast<int>(value + static_cast<float>(offset)) - offset;
+}
+
 /// End points of one block of beams, relative to the corner of the cell (x0, y0).
 DDTOOL_VECTORISED void project_block(const float* x, const float* y, float c, float s, float tx, float ty, float* out_x,
                                      float* out_y) {
@@ -50,6 +56,7 @@ struct BeamArrays {
     const float* residual_x;
     const float* residual_y;
     const float* found;
+    const float* known;
 };
 
 /// Sums over beams of the normal equations' parts, in the order of Sums below.
@@ -138,21 +145,28 @@ DDTOOL_VECTORISED double sum_of_scores(const BeamArrays& b, std::size_t beams, s
     return sum_of(total);
 }
 
-DDTOOL_VECTORISED double sum_of_log_likelihoods(const BeamArrays& b, std::size_t beams, float c, float s,
-                                                float inverse_two_sigma2, float miss) {
+struct LogLikelihood {
+    double sum = 0.0;
+    double known_beams = 0.0;
+};
+
+DDTOOL_VECTORISED void add_log_likelihoods(const BeamArrays& b, std::size_t beams, float c, float s,
+                                           float inverse_two_sigma2, float miss, LogLikelihood& result) {
     Lanes total{};
+    Lanes known_beams{};
     for (std::size_t i = 0; i < beams; i += lane_count) {
         Distance d;
-        Lanes counts;
         Lanes found;
+        Lanes known;
         measure(b, i, c, s, d);
-        load(counts, b.counts + i);
         load(found, b.found + i);
+        load(known, b.known + i);
         const Lanes most = Lanes{} + miss;
         const Lanes scaled = d.q * inverse_two_sigma2 * found + most * (1.0F - found);
-        total -= (scaled < most ? scaled : most) * counts;
+        total -= (scaled < most ? scaled : most) * known;
+        known_beams += known;
     }
-    return sum_of(total);
+    result = {sum_of(total), sum_of(known_beams)};
 }
 
 BeamArrays arrays_of(const MatchPoints& points, const Residuals& residuals) {
@@ -164,7 +178,8 @@ BeamArrays arrays_of(const MatchPoints& points, const Residuals& residuals) {
             points.counts.data(),
             residuals.x.data(),
             residuals.y.data(),
-            residuals.found.data()};
+            residuals.found.data(),
+            residuals.known.data()};
 }
 
 std::vector<float> padded(const std::vector<float>& values, double scale) {
@@ -204,20 +219,23 @@ void ScanMatcher::find_residuals(const OccupancyGrid& grid, const MatchPoints& p
     residuals_.x.resize(points.x.size());
     residuals_.y.resize(points.x.size());
     residuals_.found.resize(points.x.size());
+    residuals_.known.resize(points.x.size());
     for (std::size_t block = 0; block < points.x.size(); block += stride * lane_count) {
         float* ex = residuals_.x.data() + block;
         float* ey = residuals_.y.data() + block;
         project_block(points.x.data() + block, points.y.data() + block, rotation.c, rotation.s, origin.x, origin.y, ex,
                       ey);
         for (std::size_t lane = 0; lane < lane_count; ++lane) {
-            const float floor_x = std::floor(ex[lane]);
-            const float floor_y = std::floor(ey[lane]);
-            const NearestPoint nearest =
-                grid.nearest({origin.x0 + static_cast<int>(floor_x), origin.y0 + static_cast<int>(floor_y)});
+            const int cell_x = floor_of(ex[lane]);
+            const int cell_y = floor_of(ey[lane]);
+            const Cell cell{origin.x0 + cell_x, origin.y0 + cell_y};
+            const NearestPoint nearest = grid.nearest(cell);
             constexpr float unit = 1.0F / NearestPoint::units_per_cell;
-            ex[lane] -= floor_x + 0.5F + unit * (static_cast<float>(nearest.x) + 0.5F);
-            ey[lane] -= floor_y + 0.5F + unit * (static_cast<float>(nearest.y) + 0.5F);
+            ex[lane] -= static_cast<float>(cell_x) + 0.5F + unit * (static_cast<float>(nearest.x) + 0.5F);
+            ey[lane] -= static_cast<float>(cell_y) + 0.5F + unit * (static_cast<float>(nearest.y) + 0.5F);
+            const bool known = !nearest.none() || grid.log_odds(cell) != Patch::unknown;
             residuals_.found[block + lane] = nearest.none() ? 0.0F : points.counts[block + lane];
+            residuals_.known[block + lane] = known ? points.counts[block + lane] : 0.0F;
         }
     }
 }
@@ -319,8 +337,10 @@ double ScanMatcher::log_likelihood(const OccupancyGrid& grid, const MatchPoints&
     const double sigma_cells = settings_.beam_sigma_m / cell_size_m_;
     const double reach_cells = settings_.reach_m / cell_size_m_;
     const double inverse = 1.0 / (2.0 * sigma_cells * sigma_cells);
-    return sum_of_log_likelihoods(arrays_of(points, residuals_), points.x.size(), rotation.c, rotation.s,
-                                  static_cast<float>(inverse), static_cast<float>(reach_cells * reach_cells * inverse));
+    LogLikelihood result;
+    add_log_likelihoods(arrays_of(points, residuals_), points.x.size(), rotation.c, rotation.s,
+                        static_cast<float>(inverse), static_cast<float>(reach_cells * reach_cells * inverse), result);
+    return result.sum * static_cast<double>(points.beams) / std::max(result.known_beams, 1.0);
 }
 
 }  // namespace ddtool

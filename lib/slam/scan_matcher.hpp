@@ -22,15 +22,17 @@ struct MatchPoints {
     MatchPoints(const ScanPoints& points, double cell_size_m);
 };
 
-/// From the nearest occupied point to each end point, in cells in the world frame; found is 0 where there is none.
+/// From the nearest occupied point to each end point, in cells in the world frame.
 struct Residuals {
-    std::vector<float> x, y, found;
+    std::vector<float> x, y;
+    std::vector<float> found;  ///< 1 where there is an occupied point near
+    std::vector<float> known;  ///< 1 where there is, or the end point lies in observed ground
 };
 
 struct ScanMatcherSettings {
     /// Beams that end farther than this from any occupied point say nothing of the pose (Tukey's biweight).
     double reach_m = 0.16;
-    int max_iterations = 12;
+    int max_iterations = 25;
     /// Standard deviation of an end point's distance to the mapped surface.
     double beam_sigma_m = 0.05;
     /// A match whose mean beam score is lower starts a wide search.
@@ -64,7 +66,9 @@ public:
     ScanMatch match(const OccupancyGrid& grid, const MatchPoints& points, const Pose2& initial, const PosePrior& prior);
     /// Score at a pose, every `stride`-th block of beams.
     double score(const OccupancyGrid& grid, const MatchPoints& points, const Pose2& pose, std::size_t stride = 1);
-    /// Sum over the beams of log p(z | x, m): -min(q / (2 sigma^2), the value of a miss).
+    /// Sum over the beams of log p(z | x, m): -min(q / (2 sigma^2), the value of a miss). A beam that ends in ground
+    /// never observed counts as the mean of the others: if it counted as a miss, every particle that lags behind and so
+    /// sees less of the unknown would gain by it, and corridors would come out short.
     double log_likelihood(const OccupancyGrid& grid, const MatchPoints& points, const Pose2& pose);
 
 private:

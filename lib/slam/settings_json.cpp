@@ -12,7 +12,7 @@ namespace ddtool {
 DDTOOL_JSON_STRUCT(MotionNoise, translation_per_translation, translation_per_rotation, rotation_per_translation,
                    rotation_per_rotation)
 DDTOOL_JSON_STRUCT(OccupancySettings, cell_size_m, hit_step, free_step, min_log_odds, max_log_odds)
-DDTOOL_JSON_STRUCT(ScanPointsSettings, usable_range_m, normal_radius_m, min_along_weight)
+DDTOOL_JSON_STRUCT(ScanPointsSettings, usable_range_m, spacing_m, normal_radius_m)
 DDTOOL_JSON_STRUCT(ScanMatcherSettings, reach_m, max_iterations, beam_sigma_m, doubtful_score, search_turn_rad,
                    search_distance_m)
 DDTOOL_JSON_STRUCT(RbpfSettings, particles, seed, update_distance_m, update_turn_rad, resample_share, likelihood_gain,
