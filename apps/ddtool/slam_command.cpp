@@ -123,6 +123,7 @@ ExitCode SlamCommand::run(const Json& settings) {
             return !interrupt.made();
         });
     }();
+    return_freed_memory();  // the particles' maps, before pictures are drawn
     if (result.trajectory.empty()) {
         throw Error(log_file_ + ": no scans that can be used");
     }

@@ -1,5 +1,6 @@
 #include "base/process_usage.hpp"
 
+#include <malloc.h>
 #include <sys/resource.h>
 
 namespace ddtool {
@@ -16,6 +17,12 @@ ProcessUsage process_usage() {
     ::getrusage(RUSAGE_SELF, &usage);
     constexpr std::int64_t bytes_per_kilobyte = 1024;
     return {seconds(usage.ru_utime) + seconds(usage.ru_stime), usage.ru_maxrss * bytes_per_kilobyte};
+}
+
+void return_freed_memory() {
+#ifdef __GLIBC__
+    ::malloc_trim(0);
+#endif
 }
 
 }  // namespace ddtool

@@ -12,4 +12,8 @@ struct ProcessUsage {
 
 ProcessUsage process_usage();
 
+/// Gives memory that was freed back to the system at once. Worth a call after something large has ended and before
+/// something else large begins, so that the two do not add up; the C library would keep small pieces for itself.
+void return_freed_memory();
+
 }  // namespace ddtool

@@ -22,7 +22,7 @@ struct NearestPoint {
 
 /// A square of cells that particles share until one of them writes.
 struct Patch {
-    static constexpr int size_bits = 5;
+    static constexpr int size_bits = 4;
     static constexpr int size_cells = 1 << size_bits;
     static constexpr int local_mask = size_cells - 1;
     static constexpr std::int8_t unknown = -128;

@@ -17,7 +17,7 @@ using plot::Canvas;
 using plot::Colour;
 using plot::Pixel;
 
-constexpr double longer_side_px = 1000.0;
+constexpr double longer_side_px = 800.0;
 constexpr double most_px_per_m = 100.0;
 constexpr double margin_px = 24.0;
 constexpr double footer_px = 44.0;
