@@ -1,0 +1,212 @@
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cmath>
+#include <numeric>
+
+#include "particles/weights.hpp"
+#include "room_run.hpp"
+
+namespace ddtool {
+namespace {
+
+void expect_near(const Pose2& a, const Pose2& b) {
+    EXPECT_LT(distance_m(a, b), 1e-9);
+    EXPECT_NEAR(wrap_angle(a.theta_rad - b.theta_rad), 0.0, 1e-9);
+}
+
+std::vector<ParticleSnapshot> snapshots_of(const RbpfSettings& settings) {
+    std::vector<ParticleSnapshot> snapshots;
+    ThreadPool threads(2);
+    Rbpf filter(settings, threads);
+    filter.on_snapshot([&](const ParticleSnapshot& swarm, const Degeneracy&) { snapshots.push_back(swarm); });
+    for (const SensorFrame& frame : room_drive()) {
+        filter.process(frame);
+    }
+    EXPECT_EQ(snapshots.size() + 1, filter.updates());
+    return snapshots;
+}
+
+RbpfSettings resampling_below(double share) {
+    RbpfSettings settings = few_particles();
+    settings.resample_share = share;
+    return settings;
+}
+
+constexpr double never = 0.0;
+constexpr double always = 1.1;
+
+TEST(Snapshot, WeightsAreThoseOfTheAccumulatedLikelihood) {
+    for (const ParticleSnapshot& swarm : snapshots_of(resampling_below(never))) {
+        std::vector<double> log_weights;
+        double sum = 0.0;
+        for (const SnapshotParticle& particle : swarm.particles) {
+            log_weights.push_back(RbpfSettings{}.likelihood_gain * particle.log_likelihood);
+            sum += particle.weight;
+        }
+        EXPECT_NEAR(sum, 1.0, 1e-12);
+        const std::vector<double> weights = normalised_weights(log_weights);
+        for (std::size_t i = 0; i < weights.size(); ++i) {
+            EXPECT_NEAR(swarm.particles[i].weight, weights[i], 1e-12);
+        }
+    }
+}
+
+TEST(Snapshot, LikelihoodAccumulatesWithoutResampling) {
+    const std::vector<ParticleSnapshot> snapshots = snapshots_of(resampling_below(never));
+    ASSERT_GT(snapshots.size(), 10U);
+    for (std::size_t i = 1; i < snapshots.size(); ++i) {
+        EXPECT_EQ(snapshots[i].update, snapshots[i - 1].update + 1);
+        for (std::size_t p = 0; p < snapshots[i].particles.size(); ++p) {
+            const SnapshotParticle& now = snapshots[i].particles[p];
+            const SnapshotParticle& before = snapshots[i - 1].particles[p];
+            EXPECT_NEAR(now.log_likelihood, before.log_likelihood + now.log_likelihood_increment, 1e-9);
+            expect_near(now.pose, before.pose * now.matched_motion);
+            EXPECT_GE(now.match_score, 0.0);
+            EXPECT_LE(now.match_score, 1.0);
+        }
+    }
+}
+
+TEST(Snapshot, LikelihoodStartsAgainAfterResampling) {
+    for (const ParticleSnapshot& swarm : snapshots_of(resampling_below(always))) {
+        for (const SnapshotParticle& particle : swarm.particles) {
+            EXPECT_EQ(particle.log_likelihood, particle.log_likelihood_increment);
+        }
+    }
+}
+
+TEST(Snapshot, PredictionsScatterAroundOdometry) {
+    RbpfSettings settings = few_particles();
+    settings.motion = {0.0, 0.0, 0.0, 0.0};
+    for (const ParticleSnapshot& swarm : snapshots_of(settings)) {
+        for (const SnapshotParticle& particle : swarm.particles) {
+            EXPECT_EQ(particle.predicted_motion, swarm.odometry_motion);
+        }
+    }
+    for (const ParticleSnapshot& swarm : snapshots_of(few_particles())) {
+        EXPECT_NE(swarm.particles[0].predicted_motion, swarm.particles[1].predicted_motion);
+    }
+}
+
+TEST(Detector, AloneChangesNothing) {
+    std::atomic<int> calls = 0;
+    FilterStrategies strategies;
+    strategies.detector = [&](const ParticleSnapshot&) {
+        ++calls;
+        return Degeneracy{1.0};
+    };
+    EXPECT_EQ(poses_of(filtered(room_drive(), few_particles(), strategies)),
+              poses_of(filtered(room_drive(), few_particles())));
+    EXPECT_GT(calls, 10);
+}
+
+class KeepMatch : public PoseCorrection {
+public:
+    ScanMatch correct(const MatchContext& /*context*/, const ScanMatch& found,
+                      const Degeneracy& /*degeneracy*/) const override {
+        return found;
+    }
+};
+
+TEST(Correction, ThatKeepsTheMatchChangesNothing) {
+    FilterStrategies strategies;
+    strategies.correction = std::make_shared<KeepMatch>();
+    const Trajectory plain = filtered(room_drive(), few_particles());
+    const Trajectory kept = filtered(room_drive(), few_particles(), strategies);
+    for (std::size_t i = 0; i < plain.size(); ++i) {
+        expect_near(kept[i].pose, plain[i].pose);
+    }
+}
+
+/// Believes odometry, whatever was matched.
+class TrustOdometry : public PoseCorrection {
+public:
+    explicit TrustOdometry(double score) : score_(score) {}
+    ScanMatch correct(const MatchContext& context, const ScanMatch& found,
+                      const Degeneracy& degeneracy) const override {
+        EXPECT_EQ(degeneracy.degree, 0.25);
+        EXPECT_GT(context.points.beams, 0U);
+        ScanMatch match = found;
+        match.pose = context.odometry;
+        match.score = score_;
+        return match;
+    }
+
+private:
+    double score_;
+};
+
+FilterStrategies trusting_odometry(double score) {
+    FilterStrategies strategies;
+    strategies.detector = [](const ParticleSnapshot&) { return Degeneracy{0.25}; };
+    strategies.correction = std::make_shared<TrustOdometry>(score);
+    return strategies;
+}
+
+TEST(Correction, PutsTheParticleWhereItSays) {
+    const Trajectory trajectory = filtered(room_drive(), few_particles(3), trusting_odometry(1.0), 2);
+    for (std::size_t i = 0; i < trajectory.size(); ++i) {
+        EXPECT_LT(distance_m(trajectory[i].pose, room_drive()[i].odom_from_robot), 1e-6) << i;
+    }
+}
+
+TEST(Correction, ThatIsNoMatchLeavesThePrediction) {
+    ThreadPool threads(1);
+    Rbpf filter(few_particles(3), threads, trusting_odometry(0.0));
+    for (const SensorFrame& frame : room_drive()) {
+        if (filter.process(frame) && filter.updates() > 1) {
+            for (const Particle& particle : filter.particles()) {
+                expect_near(particle.matched_motion, particle.predicted_motion);
+            }
+        }
+    }
+}
+
+/// Puts copies of the second particle beside each other.
+class SecondOnly : public Resampling {
+public:
+    std::vector<Descendant> resample(std::span<const SnapshotParticle> particles, const Degeneracy& degeneracy,
+                                     RandomStream& /*random*/) const override {
+        EXPECT_EQ(degeneracy.degree, 0.5);
+        double weight = 0.0;
+        std::vector<Descendant> next;
+        for (const SnapshotParticle& particle : particles) {
+            weight += particle.weight;
+            next.push_back({1, particles[1].pose * Pose2{1e-3 * static_cast<double>(next.size()), 0.0, 0.0}});
+        }
+        EXPECT_NEAR(weight, 1.0, 1e-12);
+        return next;
+    }
+};
+
+TEST(Resampling, MakesTheNextGenerationAsItSays) {
+    FilterStrategies strategies;
+    strategies.detector = [](const ParticleSnapshot&) { return Degeneracy{0.5}; };
+    strategies.resampling = std::make_shared<SecondOnly>();
+    ThreadPool threads(1);
+    Rbpf filter(resampling_below(always), threads, strategies);
+    Pose2 second;
+    filter.on_snapshot([&](const ParticleSnapshot& swarm, const Degeneracy&) { second = swarm.particles[1].pose; });
+    for (const SensorFrame& frame : room_drive()) {
+        if (filter.process(frame) && filter.updates() > 1) {
+            for (std::size_t p = 0; p < filter.particles().size(); ++p) {
+                expect_near(filter.particles()[p].pose, second * Pose2{1e-3 * static_cast<double>(p), 0.0, 0.0});
+                EXPECT_EQ(filter.particles()[p].log_likelihood, 0.0);
+            }
+        }
+    }
+    EXPECT_EQ(filter.resamplings() + 1, filter.updates());
+}
+
+TEST(Resampling, IsLeftOutWhileTheSwarmIsRich) {
+    ThreadPool threads(1);
+    Rbpf filter(resampling_below(never), threads);
+    for (const SensorFrame& frame : room_drive()) {
+        filter.process(frame);
+    }
+    EXPECT_EQ(filter.resamplings(), 0U);
+}
+
+}  // namespace
+}  // namespace ddtool
