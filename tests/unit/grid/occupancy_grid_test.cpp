@@ -215,10 +215,11 @@ TEST(ObservedBox, IsOfTheWholePatchesSeen) {
     grid.add_free(-33, -70, -60);
     grid.add_free(5, 20, 40);
     const CellBox box = grid.observed_box();
-    EXPECT_EQ(box.x_min, -96);
-    EXPECT_EQ(box.y_min, -64);
-    EXPECT_EQ(box.x_max, 64);
-    EXPECT_EQ(box.y_max, 32);
+    const auto patch_edge = [](int cell) { return (cell >> Patch::size_bits) * Patch::size_cells; };
+    EXPECT_EQ(box.x_min, patch_edge(-70));
+    EXPECT_EQ(box.y_min, patch_edge(-33));
+    EXPECT_EQ(box.x_max, patch_edge(39) + Patch::size_cells);
+    EXPECT_EQ(box.y_max, patch_edge(5) + Patch::size_cells);
 }
 
 }  // namespace
