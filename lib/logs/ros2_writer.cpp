@@ -5,6 +5,7 @@ namespace ddtool {
 McapWriterOptions Ros2Writer::options() {
     McapWriterOptions options;
     options.profile = "ros2";
+    options.chunk_bytes = std::size_t{1} << 18;
     return options;
 }
 

@@ -1,63 +1,37 @@
 #include "results/map_picture.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
-#include <opencv2/core.hpp>
-#include <string>
+#include <opencv2/imgproc.hpp>
+#include <vector>
 
 #include "base/png_file.hpp"
-#include "plot/canvas.hpp"
 
 namespace ddtool {
 namespace {
 
-using plot::Box;
-using plot::Canvas;
-using plot::Colour;
-using plot::Pixel;
-
-constexpr double longer_side_px = 800.0;
-constexpr double most_px_per_m = 100.0;
+constexpr double longer_side_px = 1200.0;
+constexpr double most_px_per_cell = 5.0;
 constexpr double margin_px = 24.0;
 constexpr double footer_px = 44.0;
 constexpr double least_width_px = 240.0;  ///< has room for the scale bar
-constexpr std::size_t most_cells = 2000;  ///< along a side; more are merged
+constexpr double path_step_px = 2.0;      ///< shorter pieces of anti-aliased line would add up to a thick one
+constexpr int fraction_bits = 4;  ///< of pixel coordinates handed to OpenCV, so that slanted lines stay straight
 
+const cv::Scalar black(0, 0, 0);  // as all colours here: blue, green, red
+const cv::Scalar white(255, 255, 255);
+const cv::Scalar blue(178, 114, 0);
+const cv::Scalar green(115, 158, 0);
+const cv::Scalar red(30, 50, 213);
 constexpr std::uint8_t unknown_grey = 215;
-constexpr Colour page_colour{unknown_grey, unknown_grey, unknown_grey};
-constexpr Colour path_colour{0, 114, 178};
-constexpr Colour start_colour{0, 158, 115};
-constexpr Colour end_colour{213, 50, 30};
 
-/// How a cell looks, and which of several cells merged into one wins: walls are thin, free space is wide.
 std::uint8_t grey(std::int8_t cell) {
     if (cell == MapRaster::unknown) {
         return unknown_grey;
     }
     return cell == MapRaster::occupied ? 0 : 255;
-}
-int rank(std::int8_t cell) { return cell == MapRaster::occupied ? 2 : cell == MapRaster::free ? 1 : 0; }
-
-/// The map with blocks of `merged` x `merged` cells as one pixel, north up.
-cv::Mat1b pixels_of(const MapRaster& map, std::size_t merged) {
-    const auto count = [&](std::size_t cells) { return (cells + merged - 1) / merged; };
-    cv::Mat1b pixels(static_cast<int>(count(map.height)), static_cast<int>(count(map.width)));
-    for (int row = 0; row < pixels.rows; ++row) {
-        for (int column = 0; column < pixels.cols; ++column) {
-            const std::size_t y_begin = static_cast<std::size_t>(pixels.rows - 1 - row) * merged;
-            const std::size_t x_begin = static_cast<std::size_t>(column) * merged;
-            std::int8_t winner = MapRaster::unknown;
-            for (std::size_t y = y_begin; y < std::min(map.height, y_begin + merged); ++y) {
-                for (std::size_t x = x_begin; x < std::min(map.width, x_begin + merged); ++x) {
-                    const std::int8_t cell = map.cells[y * map.width + x];
-                    winner = rank(cell) > rank(winner) ? cell : winner;
-                }
-            }
-            pixels(row, column) = grey(winner);
-        }
-    }
-    return pixels;
 }
 
 /// The part of the world a picture shows.
@@ -78,91 +52,131 @@ Extent extent_of(const MapRaster& map, const Trajectory& path) {
     return extent;
 }
 
+double scale_px_per_m(const Extent& extent, double cell_size_m) {
+    return std::min(longer_side_px / std::max(extent.width_m(), extent.height_m()), most_px_per_cell / cell_size_m);
+}
+
 /// The longest of 1, 2, 5 times a power of ten that is at most `limit`.
 double round_length(double limit) {
     const double power = std::pow(10.0, std::floor(std::log10(limit)));
     return limit >= 5.0 * power ? 5.0 * power : limit >= 2.0 * power ? 2.0 * power : power;
 }
 
+struct CellRange {
+    std::size_t begin = 0;
+    std::size_t end = 0;
+};
+
+/// The cells of one axis that fall on a pixel: at least one, where the pixel is on the map.
+CellRange cells_between(double low_m, double high_m, double origin_m, double cell_size_m, std::size_t count) {
+    constexpr double rounding = 1e-6;
+    const double first = std::floor((low_m - origin_m) / cell_size_m + rounding);
+    const double last = std::ceil((high_m - origin_m) / cell_size_m - rounding);
+    const auto limited = [&](double cell) {
+        return static_cast<std::size_t>(std::clamp(cell, 0.0, static_cast<double>(count)));
+    };
+    return {limited(first), limited(last)};
+}
+
+/// Of the cells that fall on one pixel an occupied one wins, then a free one: walls are thin, free space is wide.
+std::int8_t winner(const MapRaster& map, const CellRange& columns, const CellRange& rows) {
+    std::int8_t best = MapRaster::unknown;
+    for (std::size_t y = rows.begin; y < rows.end; ++y) {
+        for (std::size_t x = columns.begin; x < columns.end; ++x) {
+            best = std::max(best, map.cells[y * map.width + x]);
+        }
+    }
+    return best;
+}
+
 class Picture {
 public:
-    explicit Picture(const Extent& extent)
-        : extent_(extent),
-          px_per_m_(std::min(most_px_per_m, longer_side_px / std::max(extent.width_m(), extent.height_m()))),
-          width_px_(std::max(least_width_px, std::ceil(extent.width_m() * px_per_m_) + 2.0 * margin_px)),
-          height_px_(std::ceil(extent.height_m() * px_per_m_) + margin_px + footer_px),
-          canvas_(width_px_, height_px_) {
-        canvas_.fill({0.0, 0.0, width_px_, height_px_}, page_colour);
+    Picture(const Extent& extent, double px_per_m) : extent_(extent), px_per_m_(px_per_m) {
+        const double width_px = std::max(least_width_px, extent.width_m() * px_per_m + 2.0 * margin_px);
+        const double height_px = extent.height_m() * px_per_m + margin_px + footer_px;
+        image_ = cv::Mat3b(static_cast<int>(std::ceil(height_px)), static_cast<int>(std::ceil(width_px)));
     }
 
     void draw(const MapRaster& map) {
-        const std::size_t merged = (std::max(map.width, map.height) + most_cells - 1) / most_cells;
-        const cv::Mat1b pixels = pixels_of(map, merged);
-        const double pixel_m = map.cell_size_m * static_cast<double>(merged);
-        const double height_m = pixels.rows * pixel_m;
-        const Pixel top_left = at(map.origin_m.x_m, map.origin_m.y_m + height_m);
-        canvas_.picture(pixels,
-                        {top_left.x_px, top_left.y_px, pixels.cols * pixel_m * px_per_m_, height_m * px_per_m_});
+        const double pixel_m = 1.0 / px_per_m_;
+        std::vector<CellRange> columns;
+        for (int column = 0; column < image_.cols; ++column) {
+            const double left_m = extent_.x_min_m + (column - margin_px) * pixel_m;
+            columns.push_back(cells_between(left_m, left_m + pixel_m, map.origin_m.x_m, map.cell_size_m, map.width));
+        }
+        for (int row = 0; row < image_.rows; ++row) {
+            const double top_m = extent_.y_max_m - (row - margin_px) * pixel_m;
+            const CellRange rows = cells_between(top_m - pixel_m, top_m, map.origin_m.y_m, map.cell_size_m, map.height);
+            for (int column = 0; column < image_.cols; ++column) {
+                const std::uint8_t level = grey(winner(map, columns[static_cast<std::size_t>(column)], rows));
+                image_(row, column) = {level, level, level};
+            }
+        }
     }
 
     void draw(const Trajectory& path) {
-        if (path.empty()) {
-            return;
-        }
-        std::vector<Pixel> points;
+        std::vector<cv::Point> points;
         for (const auto& [stamp_ns, pose] : path) {
-            points.push_back(at(pose.x_m, pose.y_m));
+            const cv::Point point = at(pose);
+            if (points.empty() || cv::norm(point - points.back()) >= path_step_px * (1 << fraction_bits)) {
+                points.push_back(point);
+            }
         }
-        canvas_.path(points, path_colour, 2.0);
-        dot(points.back(), end_colour);
-        dot(points.front(), start_colour);
+        cv::polylines(image_, points, false, blue, 2, cv::LINE_AA, fraction_bits);
+        if (!path.empty()) {
+            dot(path.back().pose, red);
+            dot(path.front().pose, green);
+        }
     }
 
-    void draw_footer() {
-        const double bar_m = round_length(0.25 * width_px_ / px_per_m_);
-        const double left_px = margin_px;
-        const double right_px = left_px + bar_m * px_per_m_;
-        const double y_px = height_px_ - footer_px / 2.0;
-        canvas_.line({left_px, y_px}, {right_px, y_px}, plot::black, 2.0);
-        for (const double x_px : {left_px, right_px}) {
-            canvas_.line({x_px, y_px - 5.0}, {x_px, y_px + 5.0}, plot::black, 2.0);
-        }
-        char label[32];
-        std::snprintf(label, sizeof label, "%g m", bar_m);
-        canvas_.text({right_px + 10.0, y_px}, label, 11.0, plot::Anchor::left);
+    void draw_scale_bar() {
+        const double bar_m = round_length(0.25 * image_.cols / px_per_m_);
+        const int left = static_cast<int>(margin_px);
+        const int right = static_cast<int>(std::lround(margin_px + bar_m * px_per_m_));
+        const int y = image_.rows - static_cast<int>(footer_px / 2.0);
+        constexpr int tick = 5;
+        cv::line(image_, {left, y}, {right, y}, black, 2);
+        cv::line(image_, {left, y - tick}, {left, y + tick}, black, 2);
+        cv::line(image_, {right, y - tick}, {right, y + tick}, black, 2);
+        std::array<char, 32> label{};
+        std::snprintf(label.data(), label.size(), "%g m", bar_m);
+        cv::putText(image_, label.data(), {right + 2 * tick, y + tick}, cv::FONT_HERSHEY_SIMPLEX, 0.5, black, 1,
+                    cv::LINE_AA);
     }
 
     void write(const std::filesystem::path& file) const {
-        const cv::Mat3b page = canvas_.page();
-        write_png(file, {.width_px = static_cast<std::size_t>(page.cols),
-                         .height_px = static_cast<std::size_t>(page.rows),
+        write_png(file, {.width_px = static_cast<std::size_t>(image_.cols),
+                         .height_px = static_cast<std::size_t>(image_.rows),
                          .channels = 3,
-                         .pixels = {page.data, page.total() * page.elemSize()}});
+                         .pixels = {image_.data, image_.total() * image_.elemSize()}});
     }
 
 private:
-    [[nodiscard]] Pixel at(double x_m, double y_m) const {
-        return {margin_px + (x_m - extent_.x_min_m) * px_per_m_, margin_px + (extent_.y_max_m - y_m) * px_per_m_};
+    [[nodiscard]] cv::Point at(const Pose2& pose) const {
+        const auto fixed = [](double px) { return static_cast<int>(std::lround(px * (1 << fraction_bits))); };
+        return {fixed(margin_px + (pose.x_m - extent_.x_min_m) * px_per_m_),
+                fixed(margin_px + (extent_.y_max_m - pose.y_m) * px_per_m_)};
     }
-    void dot(const Pixel& at, Colour colour) {
-        canvas_.disc(at, 6.0, plot::white);
-        canvas_.disc(at, 4.5, colour);
+    void dot(const Pose2& pose, const cv::Scalar& colour) {
+        constexpr int radius = 5 << fraction_bits;
+        constexpr int rim = 2 << fraction_bits;
+        cv::circle(image_, at(pose), radius + rim, white, cv::FILLED, cv::LINE_AA, fraction_bits);
+        cv::circle(image_, at(pose), radius, colour, cv::FILLED, cv::LINE_AA, fraction_bits);
     }
 
     Extent extent_;
     double px_per_m_;
-    double width_px_;
-    double height_px_;
-    Canvas canvas_;
+    cv::Mat3b image_;
 };
 
 }  // namespace
 
 void write_map_picture(const std::filesystem::path& file, const MapRaster& map, const Trajectory& path) {
-    Picture picture(extent_of(map, path));
+    const Extent extent = extent_of(map, path);
+    Picture picture(extent, scale_px_per_m(extent, map.cell_size_m));
     picture.draw(map);
     picture.draw(path);
-    picture.draw_footer();
+    picture.draw_scale_bar();
     picture.write(file);
 }
 
