@@ -21,6 +21,7 @@ private:
     std::string log_file_;
     std::string folder_;
     std::size_t threads_ = 0;
+    bool with_snapshots_ = false;
     bool as_json_ = false;
 };
 

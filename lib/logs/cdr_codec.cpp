@@ -29,23 +29,42 @@ public:
 
 private:
     void write(const auto& message) { message.fields(message, *this); }
-    void write(const Scalar auto& value) { cdr_.serialize(value); }
-    void write(const std::string& text) { cdr_.serialize(text); }
+    void write(const Scalar auto& value) {
+        align(sizeof value);
+        cdr_.serialize(value);
+    }
+    void write(const std::string& text) {
+        align(sizeof(std::uint32_t));  // its length
+        cdr_.serialize(text);
+    }
     void write(const Time& time) {
         const std::int64_t below = (time.ns % ns_per_s + ns_per_s) % ns_per_s;
-        cdr_.serialize(static_cast<std::int32_t>((time.ns - below) / ns_per_s));
-        cdr_.serialize(static_cast<std::uint32_t>(below));
+        write(static_cast<std::int32_t>((time.ns - below) / ns_per_s));
+        write(static_cast<std::uint32_t>(below));
     }
-    void write(const std::array<double, 36>& values) { cdr_.serializeArray(values.data(), values.size()); }
+    void write(const std::array<double, 36>& values) { write_all(values); }
     template <typename Value>
     void write(const std::vector<Value>& values) {
-        cdr_.serialize(static_cast<std::uint32_t>(values.size()));
+        write(static_cast<std::uint32_t>(values.size()));
         if constexpr (Scalar<Value>) {
-            cdr_.serializeArray(values.data(), values.size());
+            write_all(values);
         } else {
             for (const Value& value : values) {
                 write(value);
             }
+        }
+    }
+    void write_all(const auto& values) {
+        if (!values.empty()) {
+            align(sizeof values[0]);
+            cdr_.serializeArray(values.data(), values.size());
+        }
+    }
+    /// fast-cdr skips padding and leaves there what the memory held; the same message must give the same bytes.
+    void align(std::size_t size) {
+        constexpr std::size_t encapsulation_bytes = 4;
+        while ((cdr_.getSerializedDataLength() - encapsulation_bytes) % size != 0) {
+            cdr_.serialize(std::uint8_t{0});
         }
     }
 
@@ -133,6 +152,7 @@ DDTOOL_CDR(PoseStamped)
 DDTOOL_CDR(PoseArray)
 DDTOOL_CDR(Path)
 DDTOOL_CDR(OccupancyGrid)
+DDTOOL_CDR(ParticleSnapshot)
 DDTOOL_CDR(Float64MultiArray)
 #undef DDTOOL_CDR
 

@@ -12,7 +12,7 @@ struct Definition {
     std::string_view text;
 };
 
-constexpr std::array<Definition, 22> definitions{{
+constexpr std::array<Definition, 25> definitions{{
     {"builtin_interfaces/Time", "int32 sec\nuint32 nanosec\n"},
     {"std_msgs/Header", "builtin_interfaces/Time stamp\nstring frame_id\n"},
     {"std_msgs/MultiArrayDimension", "string label\nuint32 size\nuint32 stride\n"},
@@ -43,6 +43,13 @@ constexpr std::array<Definition, 22> definitions{{
     {"nav_msgs/MapMetaData",
      "builtin_interfaces/Time map_load_time\nfloat32 resolution\nuint32 width\nuint32 height\n"
      "geometry_msgs/Pose origin\n"},
+    {"geometry_msgs/Pose2D", "float64 x\nfloat64 y\nfloat64 theta\n"},
+    {"ddtool_msgs/SnapshotParticle",
+     "geometry_msgs/Pose2D pose\ngeometry_msgs/Pose2D matched_motion\ngeometry_msgs/Pose2D predicted_motion\n"
+     "float64 log_likelihood\nfloat64 log_likelihood_increment\nfloat64 match_score\nfloat64 weight\n"},
+    {"ddtool_msgs/ParticleSnapshot",
+     "builtin_interfaces/Time stamp\nuint64 update\ngeometry_msgs/Pose2D odometry_motion\nfloat64 degeneracy\n"
+     "ddtool_msgs/SnapshotParticle[] particles\n"},
 }};
 
 std::string_view definition_of(std::string_view type) {

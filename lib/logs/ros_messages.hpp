@@ -158,4 +158,41 @@ struct OccupancyGrid {
     }
 };
 
+struct Pose2D {
+    double x = 0.0;
+    double y = 0.0;
+    double theta = 0.0;
+
+    static void fields(auto& message, auto& archive) { archive(message.x, message.y, message.theta); }
+};
+
+/// Ours, as is ParticleSnapshot: docs/formats/snapshots.md.
+struct SnapshotParticle {
+    Pose2D pose;
+    Pose2D matched_motion;
+    Pose2D predicted_motion;
+    double log_likelihood = 0.0;
+    double log_likelihood_increment = 0.0;
+    double match_score = 0.0;
+    double weight = 0.0;
+
+    static void fields(auto& message, auto& archive) {
+        archive(message.pose, message.matched_motion, message.predicted_motion, message.log_likelihood,
+                message.log_likelihood_increment, message.match_score, message.weight);
+    }
+};
+
+struct ParticleSnapshot {
+    static constexpr const char* type_name = "ddtool_msgs/msg/ParticleSnapshot";
+    Time stamp;
+    std::uint64_t update = 0;
+    Pose2D odometry_motion;
+    double degeneracy = 0.0;
+    std::vector<SnapshotParticle> particles;
+
+    static void fields(auto& message, auto& archive) {
+        archive(message.stamp, message.update, message.odometry_motion, message.degeneracy, message.particles);
+    }
+};
+
 }  // namespace ddtool::ros

@@ -13,7 +13,7 @@
 
 namespace ddtool {
 
-/// A run for Foxglove and RViz, as ROS 2 messages in an MCAP file (docs/formats/result.md): the scans the filter used,
+/// A run for Foxglove and RViz, as ROS 2 messages in an MCAP file (docs/formats/results.md): the scans the filter used,
 /// its particles, the transforms map -> odom -> base_link -> laser, and now and then the map and the path.
 class ResultLog {
 public:

@@ -12,6 +12,9 @@
 namespace ddtool {
 namespace {
 
+constexpr const char* result_name = "result.mcap";
+constexpr const char* snapshots_name = "snapshots.mcap";
+
 std::filesystem::path created(std::filesystem::path folder) {
     std::error_code failure;
     std::filesystem::create_directories(folder, failure);
@@ -23,13 +26,31 @@ std::filesystem::path created(std::filesystem::path folder) {
 
 }  // namespace
 
-RunFolder::RunFolder(std::filesystem::path folder)
-    : folder_(created(std::move(folder))), result_(folder_ / "result.mcap") {}
+RunFolder::RunFolder(std::filesystem::path folder, bool with_snapshots)
+    : folder_(created(std::move(folder))), result_(folder_ / result_name) {
+    if (with_snapshots) {
+        snapshots_.emplace(folder_ / snapshots_name);
+    }
+}
+
+void RunFolder::record_snapshots_of(Rbpf& filter) {
+    if (snapshots_) {
+        filter.on_snapshot([this](const ParticleSnapshot& snapshot, const Degeneracy& degeneracy) {
+            const StageTimer timer(write_s_);
+            snapshots_->write(snapshot, degeneracy);
+        });
+    }
+}
+
+void RunFolder::add(const SensorFrame& frame, const Rbpf& filter) {
+    const StageTimer timer(write_s_);
+    result_.add(frame, filter);
+}
 
 void RunFolder::finish(const FilterRun& run, const MapRaster& map) {
+    const StageTimer timer(write_s_);
     result_.finish(map, run.trajectory);
-    result_.close();
-    files_.emplace_back("result.mcap");
+    complete_logs();
     write_trajectory("trajectory.tum", run.trajectory);
     write_trajectory("trajectory_online.tum", run.online);
     write_trajectory("ground_truth.tum", run.ground_truth);
@@ -40,6 +61,17 @@ void RunFolder::finish(const FilterRun& run, const MapRaster& map) {
 
 void RunFolder::write_json(const std::string& name, const Json& content) {
     write_file(place(name), content.dump(2) + "\n");
+}
+
+void RunFolder::complete_logs() {
+    result_.close();
+    files_.emplace_back(result_name);
+    if (snapshots_) {
+        snapshots_->close();
+        files_.emplace_back(snapshots_name);
+    } else {
+        std::filesystem::remove(folder_ / snapshots_name);
+    }
 }
 
 void RunFolder::write_trajectory(const std::string& name, const Trajectory& trajectory) {

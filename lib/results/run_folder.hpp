@@ -8,33 +8,41 @@
 #include "base/settings.hpp"
 #include "results/map_raster.hpp"
 #include "results/result_log.hpp"
+#include "results/snapshot_file.hpp"
 #include "slam/filter_run.hpp"
 
 namespace ddtool {
 
-/// The files of one run of the filter (docs/formats/results.md). Each appears when it is whole; a file that this run
-/// does not write, but an earlier one did, is removed at the end. Every call throws Error naming the file.
+/// The files of one run of the filter (docs/formats/results.md). Each appears when it is whole; a file of an earlier
+/// run that this one does not replace is removed at the end. Every call throws Error naming the file.
 class RunFolder {
 public:
-    /// Creates the folder.
-    explicit RunFolder(std::filesystem::path folder);
+    /// Creates the folder. snapshots.mcap is written on request only.
+    RunFolder(std::filesystem::path folder, bool with_snapshots);
 
+    /// Connects the filter; it must not outlive the folder.
+    void record_snapshots_of(Rbpf& filter);
     /// After the filter has moved.
-    void add(const SensorFrame& frame, const Rbpf& filter) { result_.add(frame, filter); }
-    /// Writes the trajectories, the map and its picture, and completes result.mcap.
+    void add(const SensorFrame& frame, const Rbpf& filter);
+    /// Writes the trajectories, the map and its picture, and completes the MCAP files.
     void finish(const FilterRun& run, const MapRaster& map);
     void write_json(const std::string& name, const Json& content);
 
     /// Names of the files written.
     [[nodiscard]] const std::vector<std::string>& files() const { return files_; }
+    /// Wall time spent in here.
+    [[nodiscard]] double write_s() const { return write_s_; }
 
 private:
     std::filesystem::path place(const std::string& name);
     void write_trajectory(const std::string& name, const Trajectory& trajectory);
+    void complete_logs();
 
     std::filesystem::path folder_;
     std::vector<std::string> files_;
     ResultLog result_;
+    std::optional<SnapshotWriter> snapshots_;
+    double write_s_ = 0.0;
 };
 
 }  // namespace ddtool

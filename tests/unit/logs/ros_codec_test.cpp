@@ -50,8 +50,8 @@ Message filled() {
 template <typename Message>
 class RosCodec : public testing::Test {};
 
-using Messages =
-    testing::Types<TFMessage, LaserScan, Odometry, PoseStamped, PoseArray, Path, OccupancyGrid, Float64MultiArray>;
+using Messages = testing::Types<TFMessage, LaserScan, Odometry, PoseStamped, PoseArray, Path, OccupancyGrid,
+                                Float64MultiArray, ParticleSnapshot>;
 TYPED_TEST_SUITE(RosCodec, Messages);
 
 /// Messages have no comparison; the ROS 1 bytes, which are without padding, tell all their fields.
@@ -68,6 +68,22 @@ TYPED_TEST(RosCodec, CdrGoesThereAndBackInBothByteOrders) {
         expect_same(decode_cdr<TypeParam>(data), message);
         EXPECT_EQ(data[1], endian == std::endian::little ? std::byte{1} : std::byte{0});
     }
+}
+
+/// Leaves freed memory behind that holds `value`.
+void litter(char value) {
+    std::vector<std::string> blocks;
+    for (std::size_t size = 16; size < 4096; size += 16) {
+        blocks.emplace_back(size, value);
+    }
+}
+
+TYPED_TEST(RosCodec, CdrDoesNotDependOnWhatTheMemoryHeld) {
+    const auto message = filled<TypeParam>();
+    litter('a');
+    const std::vector<std::byte> data = encode_cdr(message);
+    litter('b');
+    EXPECT_EQ(encode_cdr(message), data);
 }
 
 TYPED_TEST(RosCodec, CdrCutOffAnywhereIsRefused) {

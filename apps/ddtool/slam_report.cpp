@@ -1,0 +1,58 @@
+#include "slam_report.hpp"
+
+#include <array>
+#include <cstdio>
+
+#include "version.hpp"
+
+namespace ddtool {
+namespace {
+
+std::string fixed(const Json& number, int decimals) {
+    std::array<char, 64> text{};
+    std::snprintf(text.data(), text.size(), "%.*f", decimals, number.get<double>());
+    return text.data();
+}
+
+}  // namespace
+
+Json log_report(const std::string& file, const LogSummary& log) {
+    return {{"file", file},
+            {"format", log.format},
+            {"scan_topic", log.scan_topic},
+            {"odom_topic", log.odom_topic},
+            {"ground_truth_topic", log.ground_truth_topic},
+            {"scans", log.scans},
+            {"odometry", log.odometry},
+            {"ground_truth", log.ground_truth},
+            {"problems", log.problems},
+            {"bytes_lost", log.bytes_lost},
+            {"assumptions", log.assumptions}};
+}
+
+Json version_report() {
+    Json report = Json::object();
+    for (const auto& [name, number] : versions()) {
+        report[name] = number;
+    }
+    return report;
+}
+
+std::string slam_summary(const Json& report, const std::string& folder, const std::vector<std::string>& files) {
+    const Json& run = report.at("run");
+    const Json& map = run.at("map");
+    const Json& cost = report.at("cost");
+    std::string text = "scans    " + run.at("scans").dump() + " in " + fixed(run.at("duration_s"), 1) + " s; " +
+                       run.at("updates").dump() + " filter updates, " + run.at("resamplings").dump() + " resamplings\n";
+    text += "map      " + fixed(map.at("width_m"), 1) + " m x " + fixed(map.at("height_m"), 1) + " m, path " +
+            fixed(run.at("path_m"), 1) + " m\n";
+    if (run.contains("errors")) {
+        text += "error    " + fixed(run.at("errors").at("ate_m").at("rmse"), 3) +
+                " m rmse against the ground truth (ATE)\n";
+    }
+    text += "cost     " + fixed(cost.at("wall_s"), 1) + " s, " + fixed(cost.at("cpu_s"), 1) + " s of CPU time, " +
+            fixed(1e-6 * cost.at("peak_memory_bytes").get<double>(), 0) + " MB of memory\n";
+    return text + "written  " + folder + ": " + joined(files) + "\n";
+}
+
+}  // namespace ddtool
