@@ -1,0 +1,13 @@
+// write_scans FILE: a log of scans alone, without odometry or transforms.
+#include "logs/ros2_writer.hpp"
+#include "logs/ros_conversions.hpp"
+
+int main(int /*argc*/, char** argv) {
+    ddtool::LaserScan scan{.angle_min_rad = -1.5, .angle_increment_rad = 0.1, .range_max_m = 8.0, .ranges_m = {}};
+    scan.ranges_m.assign(30, 2.0F);
+    ddtool::Ros2Writer log(argv[1]);
+    for (; scan.stamp_ns < 1'000'000'000; scan.stamp_ns += 100'000'000) {
+        log.write("/scan", scan.stamp_ns, ddtool::ros::to_message(scan, "laser"));
+    }
+    log.close();
+}
