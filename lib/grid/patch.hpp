@@ -35,7 +35,8 @@ struct Patch {
 
     /// Place of a cell in the arrays, from its coordinates in the whole grid.
     static std::size_t local(int cell_x, int cell_y) {
-        return static_cast<std::size_t>((cell_y & local_mask) * size_cells + (cell_x & local_mask));
+        return static_cast<std::size_t>(cell_y & local_mask) * size_cells +
+               static_cast<std::size_t>(cell_x & local_mask);
     }
 
     std::array<std::int8_t, cell_count> log_odds;
@@ -43,8 +44,9 @@ struct Patch {
     std::atomic<std::uint32_t> owners = 1;
 };
 
-/// Shared ownership of a Patch, one pointer wide. Unlike with std::shared_ptr, unique() synchronises with the release
-/// of the other owners, so that a thread that finds itself the only owner may write.
+/// Shared ownership of a Patch, one pointer wide. Unlike std::shared_ptr's use_count(), the count that writable() asks
+/// synchronises with the release of the other owners, so that a thread that finds itself the only owner may write.
+// NOLINTNEXTLINE(cppcoreguidelines-special-member-functions): the one assignment copies and moves.
 class PatchPointer {
 public:
     PatchPointer() noexcept : patch_(empty_patch()) { add_owner(); }
