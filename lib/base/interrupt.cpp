@@ -1,14 +1,17 @@
 #include "base/interrupt.hpp"
 
+#include <atomic>
 #include <csignal>
 
 namespace ddtool {
 namespace {
 
-volatile std::sig_atomic_t requested = 0;
+// Any thread may ask while the signal is handled in another, hence no std::sig_atomic_t.
+std::atomic<bool> requested = false;
+static_assert(std::atomic<bool>::is_always_lock_free, "else a signal handler must not write it");
 
 void request(int signal) {
-    requested = 1;
+    requested = true;
     std::signal(signal, SIG_DFL);
 }
 
@@ -20,12 +23,12 @@ void set_handlers(void (*handler)(int)) {
 }  // namespace
 
 InterruptRequest::InterruptRequest() {
-    requested = 0;
+    requested = false;
     set_handlers(request);
 }
 
 InterruptRequest::~InterruptRequest() { set_handlers(SIG_DFL); }
 
-bool InterruptRequest::made() const { return requested != 0; }
+bool InterruptRequest::made() const { return requested; }
 
 }  // namespace ddtool
