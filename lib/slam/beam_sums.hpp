@@ -1,0 +1,44 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+namespace ddtool {
+
+/// The beams of one match, padded to whole lanes. Lengths in cells.
+struct BeamArrays {
+    const float* x;
+    const float* y;
+    const float* normal_x;
+    const float* normal_y;
+    const float* along_weight;
+    const float* counts;
+    const float* residual_x;
+    const float* residual_y;
+    const float* found;
+    const float* known;
+};
+
+/// What the normal equations of Gauss-Newton are made of: the upper triangle of the Hessian, the gradient, the score.
+enum Sum : std::size_t { xx, xy, xt, yy, yt, tt, gx, gy, gt, total_score, sum_count };
+using Sums = std::array<double, sum_count>;
+
+/// Over `beams` beams (a multiple of the lane count), with c, s the cosine and sine of the robot's heading. Each beam
+/// weighs (1 - q / reach^2)^2, the derivative of its score (1 - q / reach^2)^3 (Tukey's biweight), where q is its
+/// squared distance across the surface plus along_weight times that along it.
+void add_normal_equations(const BeamArrays& b, std::size_t beams, float c, float s, float inverse_reach2, Sums& sums);
+
+/// Sum of the scores of every stride-th block of lanes.
+double sum_of_scores(const BeamArrays& b, std::size_t beams, std::size_t stride, float c, float s,
+                     float inverse_reach2);
+
+struct LogLikelihood {
+    double sum = 0.0;
+    double known_beams = 0.0;
+};
+
+/// Sum of -min(q * inverse_two_sigma2, miss) over the beams that end in known ground.
+void add_log_likelihoods(const BeamArrays& b, std::size_t beams, float c, float s, float inverse_two_sigma2, float miss,
+                         LogLikelihood& result);
+
+}  // namespace ddtool
