@@ -37,7 +37,6 @@ const std::vector<CellSpan>& FreeSpace::find(const ScanPoints& points, const std
         if (share > 0.0) {
             add_edge(near_point, towards(origin_cells, ends_cells[i + 1], share));
         }
-        add_ray(origin_cells, ends_cells[i], std::min(share_before, share), std::max(share_before, share));
         share_before = share;
     }
     collect_spans();
@@ -55,17 +54,6 @@ void FreeSpace::add_edge(Point2 from, Point2 to) {
     for (int y = first; y < end; ++y) {
         const double x = from.x_m + (y + 0.5 - from.y_m) * slope;
         crossings_.push_back({y, static_cast<int>(std::ceil(x - 0.5))});
-    }
-}
-
-void FreeSpace::add_ray(Point2 origin, Point2 end, double from_share, double to_share) {
-    const double dx = end.x_m - origin.x_m;
-    const double dy = end.y_m - origin.y_m;
-    const int steps = static_cast<int>(std::ceil((to_share - from_share) * std::max(std::abs(dx), std::abs(dy))));
-    for (int step = 0; step < steps; ++step) {
-        const double share = from_share + (to_share - from_share) * (step + 0.5) / steps;
-        const int x = static_cast<int>(std::floor(origin.x_m + share * dx));
-        spans_.push_back({static_cast<int>(std::floor(origin.y_m + share * dy)), x, x + 1});
     }
 }
 

@@ -16,7 +16,7 @@ struct CellSpan {
 /// Finds the cells that one scan saw through, each once however many beams pass it. Between two neighbouring beams
 /// the triangle from the laser to their end points is free, shrunk towards the laser until its far side keeps
 /// `margin_cells` from the line through the end points: along a wall that is a strip beside it, across a jump in
-/// range the triangle all but vanishes. Single beams are drawn where they reach beyond their triangles.
+/// range the triangle all but vanishes.
 /// Keeps its buffers between calls.
 class FreeSpace {
 public:
@@ -28,7 +28,6 @@ public:
 
 private:
     void add_edge(Point2 from, Point2 to);
-    void add_ray(Point2 origin, Point2 end, double from_share, double to_share);
     void collect_spans();
 
     struct Crossing {
