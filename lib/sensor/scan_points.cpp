@@ -23,7 +23,7 @@ struct Moments {
 constexpr std::size_t most_neighbours_each_side = 12;
 /// Taken however far they are: beams along a wall far ahead are metres apart, and still show its direction.
 constexpr std::size_t least_neighbours_each_side = 2;
-constexpr double points_of_a_line = 4.0;
+constexpr double points_of_a_line = 3.0;  // those at the ends of a run have two neighbours
 
 /// Adds neighbours from `point` in steps of `step` while they are of adjacent beams.
 void add_side(const ScanPoints& points, std::size_t point, int step, double radius_m, Moments& moments) {

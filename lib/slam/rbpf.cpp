@@ -23,14 +23,16 @@ PosePrior prior_of(const Pose2& odometry_motion, const RbpfSettings& settings) {
     constexpr double least_m = 0.005;
     constexpr double least_rad = 0.002;
     const MotionSigmas sigmas = motion_sigmas(odometry_motion, settings.motion);
-    return {settings.prior_scale * sigmas.x_m + least_m, settings.prior_scale * sigmas.y_m + least_m,
-            settings.prior_scale * sigmas.theta_rad + least_rad};
+    return {sigmas.x_m + least_m, sigmas.y_m + least_m, sigmas.theta_rad + least_rad};
 }
 
 }  // namespace
 
 Rbpf::Rbpf(const RbpfSettings& settings, ThreadPool& threads, FilterStrategies strategies)
     : settings_(settings), threads_(threads), strategies_(std::move(strategies)) {
+    if (!strategies_.resampling) {
+        strategies_.resampling = std::make_shared<SystematicResampling>();
+    }
     for (std::size_t worker = 0; worker < threads_.size(); ++worker) {
         workers_.push_back({ScanMatcher(settings_.matcher, settings_.grid.cell_size_m), ScanInserter()});
     }

@@ -30,8 +30,6 @@ struct RbpfSettings {
     /// Scans enter the map after this much motion or turning since the last that did.
     double insert_distance_m = 0.3;
     double insert_turn_rad = 0.3;
-    /// The prior's standard deviations as multiples of the motion noise.
-    double prior_scale = 1.0;
     MotionNoise motion;
     OccupancySettings grid;
     ScanPointsSettings points;

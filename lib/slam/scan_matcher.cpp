@@ -215,10 +215,13 @@ double ScanMatcher::log_likelihood(const OccupancyGrid& grid, const MatchPoints&
     const double sigma_cells = settings_.beam_sigma_m / cell_size_m_;
     const double reach_cells = settings_.reach_m / cell_size_m_;
     const double inverse = 1.0 / (2.0 * sigma_cells * sigma_cells);
+    const double miss = reach_cells * reach_cells * inverse;
     LogLikelihood result;
     add_log_likelihoods(arrays_of(points, residuals_), points.x.size(), rotation.c, rotation.s,
-                        static_cast<float>(inverse), static_cast<float>(reach_cells * reach_cells * inverse), result);
-    return result.sum * static_cast<double>(points.beams) / std::max(result.known_beams, 1.0);
+                        static_cast<float>(inverse), static_cast<float>(miss), result);
+    // A scan wholly in unseen ground is no evidence for the pose: every beam a miss.
+    const double mean = result.known_beams > 0.0 ? result.sum / result.known_beams : -miss;
+    return mean * static_cast<double>(points.beams);
 }
 
 }  // namespace ddtool

@@ -36,9 +36,9 @@ struct ScanMatcherSettings {
     /// Standard deviation of an end point's distance to the mapped surface.
     double beam_sigma_m = 0.05;
     /// A match whose mean beam score is lower starts a wide search.
-    double doubtful_score = 0.6;
+    double doubtful_score = 0.8;
     double search_turn_rad = 0.35;
-    double search_distance_m = 0.3;
+    double search_distance_m = 0.6;
 };
 
 /// What the motion model says of the pose: the match may leave it where the scan has something to say.

@@ -16,7 +16,7 @@ DDTOOL_JSON_STRUCT(ScanPointsSettings, usable_range_m, spacing_m, normal_radius_
 DDTOOL_JSON_STRUCT(ScanMatcherSettings, reach_m, max_iterations, beam_sigma_m, doubtful_score, search_turn_rad,
                    search_distance_m)
 DDTOOL_JSON_STRUCT(RbpfSettings, particles, seed, update_distance_m, update_turn_rad, resample_share, likelihood_gain,
-                   min_match_score, insert_distance_m, insert_turn_rad, prior_scale, motion, grid, points, matcher)
+                   min_match_score, insert_distance_m, insert_turn_rad, motion, grid, points, matcher)
 
 namespace {
 

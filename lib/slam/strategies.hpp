@@ -53,7 +53,7 @@ public:
 struct FilterStrategies {
     DegeneracyDetector detector;
     std::shared_ptr<const PoseCorrection> correction;
-    std::shared_ptr<const Resampling> resampling = std::make_shared<SystematicResampling>();
+    std::shared_ptr<const Resampling> resampling;
 };
 
 }  // namespace ddtool
