@@ -50,12 +50,17 @@ std::uint16_t McapWriter::add_schema(std::string_view name, std::string_view enc
 
 std::uint16_t McapWriter::add_channel(std::string_view topic, std::string_view message_encoding,
                                       std::string_view schema_name, std::string_view schema_encoding,
-                                      std::string_view schema_data) {
+                                      std::string_view schema_data,
+                                      const std::map<std::string, std::string>& metadata) {
+    McapFieldWriter entries;
+    for (const auto& [key, value] : metadata) {
+        entries.put_string(key).put_string(value);
+    }
     const std::uint16_t schema = add_schema(schema_name, schema_encoding, schema_data);
     const std::uint16_t id = next_id(message_counts_.size(), "channels");
     message_counts_.push_back(0);
     McapFieldWriter fields;
-    fields.put(id).put(schema).put_string(topic).put_string(message_encoding).put_array({});
+    fields.put(id).put(schema).put_string(topic).put_string(message_encoding).put_array(entries.bytes());
     McapFieldWriter record;
     record.put_record(McapOpcode::channel, fields);
     output_.put(record.bytes());

@@ -31,7 +31,8 @@ public:
 
     /// Returns the channel's id. Channels with the same schema share one record of it; an empty schema_name means none.
     std::uint16_t add_channel(std::string_view topic, std::string_view message_encoding, std::string_view schema_name,
-                              std::string_view schema_encoding, std::string_view schema_data);
+                              std::string_view schema_encoding, std::string_view schema_data,
+                              const std::map<std::string, std::string>& metadata = {});
     /// `channel` is of add_channel(). The publish time is the log time; the sequence number counts the channel's
     /// messages from 0.
     void write(std::uint16_t channel, std::int64_t log_time_ns, std::span<const std::byte> data);

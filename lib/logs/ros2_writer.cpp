@@ -1,6 +1,19 @@
 #include "logs/ros2_writer.hpp"
 
 namespace ddtool {
+namespace {
+
+/// How `ros2 bag play` is to offer a topic, in the words of rosbag2; MCAP's profile "ros2" asks for it. Reliable; those
+/// who come late get the last message of a topic that keeps it, as they must of static transforms.
+std::string offered_qos(bool keeps_last) {
+    const std::string infinite = ":\n    sec: 9223372036\n    nsec: 854775807\n";
+    return "- history: 1\n  depth: " + std::string(keeps_last ? "1" : "10") +
+           "\n  reliability: 1\n  durability: " + (keeps_last ? "1" : "2") + "\n  deadline" + infinite + "  lifespan" +
+           infinite + "  liveliness: 1\n  liveliness_lease_duration" + infinite +
+           "  avoid_ros_namespace_conventions: false";
+}
+
+}  // namespace
 
 McapWriterOptions Ros2Writer::options() {
     McapWriterOptions options;
@@ -14,7 +27,9 @@ std::uint16_t Ros2Writer::channel(const std::string& topic, const char* type_nam
     if (known != channels_.end()) {
         return known->second;
     }
-    const std::uint16_t id = file_.add_channel(topic, "cdr", type_name, "ros2msg", ros::ros2_schema(type_name));
+    const bool keeps_last = topic == "/tf_static" || topic == "/map";
+    const std::uint16_t id = file_.add_channel(topic, "cdr", type_name, "ros2msg", ros::ros2_schema(type_name),
+                                               {{"offered_qos_profiles", offered_qos(keeps_last)}});
     return channels_.emplace(topic, id).first->second;
 }
 

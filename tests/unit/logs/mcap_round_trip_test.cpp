@@ -52,13 +52,13 @@ TEST(McapWriter, KeepsWhatItWasGiven) {
     const auto path = folder / "one.mcap";
     McapWriter writer(path);
     const auto first = writer.add_channel("/a", "json", "T", "jsonschema", "{}");
-    const auto second = writer.add_channel("/b", "cdr", "", "", "");
+    const auto second = writer.add_channel("/b", "cdr", "", "", "", {{"owner", "x"}, {"note", ""}});
     writer.write(second, 5, bytes_of("later"));
     writer.write(first, 3, bytes_of("earlier"));
     writer.write(second, 9, bytes_of(""));
     writer.close();
     const McapChannel a{first, "/a", "json", {}, {1, "T", "jsonschema", "{}"}};
-    const McapChannel b{second, "/b", "cdr", {}, {}};
+    const McapChannel b{second, "/b", "cdr", {{"owner", "x"}, {"note", ""}}, {}};
     EXPECT_EQ(read_back(ByteSource(path)).messages,
               (std::vector<OwnedMessage>{{b, 0, 5, 5, "later"}, {a, 0, 3, 3, "earlier"}, {b, 1, 9, 9, ""}}));
 }

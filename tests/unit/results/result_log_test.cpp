@@ -114,6 +114,15 @@ TEST_F(ResultLogTest, HoldsTheParticles) {
     }
 }
 
+TEST_F(ResultLogTest, OffersLateListenersTheMapAndTheMounting) {
+    McapReader reader(file_, {});
+    while (const auto message = reader.next()) {
+        const std::string& topic = message->channel->topic;
+        const std::string durability = topic == "/map" || topic == "/tf_static" ? "durability: 1" : "durability: 2";
+        EXPECT_THAT(message->channel->metadata.at("offered_qos_profiles"), testing::HasSubstr(durability)) << topic;
+    }
+}
+
 TEST_F(ResultLogTest, IsALogItself) {
     const auto log = open_log(file_, {}, [](const LogProblem& problem) { ADD_FAILURE() << problem.what; });
     for (const SensorFrame& frame : used_) {
