@@ -124,8 +124,8 @@ public:
         }
         cv::polylines(image_, points, false, blue, 2, cv::LINE_AA, fraction_bits);
         if (!path.empty()) {
-            dot(path.back().pose, red);
-            dot(path.front().pose, green);
+            dot(path.back().pose, red, 5);
+            dot(path.front().pose, green, 3);  // smaller, so that both show where the robot has come back
         }
     }
 
@@ -157,8 +157,8 @@ private:
         return {fixed(margin_px + (pose.x_m - extent_.x_min_m) * px_per_m_),
                 fixed(margin_px + (extent_.y_max_m - pose.y_m) * px_per_m_)};
     }
-    void dot(const Pose2& pose, const cv::Scalar& colour) {
-        constexpr int radius = 5 << fraction_bits;
+    void dot(const Pose2& pose, const cv::Scalar& colour, int radius_px) {
+        const int radius = radius_px << fraction_bits;
         constexpr int rim = 2 << fraction_bits;
         cv::circle(image_, at(pose), radius + rim, white, cv::FILLED, cv::LINE_AA, fraction_bits);
         cv::circle(image_, at(pose), radius, colour, cv::FILLED, cv::LINE_AA, fraction_bits);
