@@ -124,7 +124,7 @@ public:
         }
         cv::polylines(image_, points, false, blue, 2, cv::LINE_AA, fraction_bits);
         if (!path.empty()) {
-            dot(path.back().pose, red, 5);
+            dot(path.back().pose, red, 6);
             dot(path.front().pose, green, 3);  // smaller, so that both show where the robot has come back
         }
     }
@@ -159,7 +159,7 @@ private:
     }
     void dot(const Pose2& pose, const cv::Scalar& colour, int radius_px) {
         const int radius = radius_px << fraction_bits;
-        constexpr int rim = 2 << fraction_bits;
+        constexpr int rim = 1 << fraction_bits;
         cv::circle(image_, at(pose), radius + rim, white, cv::FILLED, cv::LINE_AA, fraction_bits);
         cv::circle(image_, at(pose), radius, colour, cv::FILLED, cv::LINE_AA, fraction_bits);
     }

@@ -50,7 +50,9 @@ MapRaster free_map_with_one_wall_cell(std::size_t width, std::size_t height) {
 
 constexpr std::array<std::uint8_t, 3> white{255, 255, 255};
 constexpr std::array<std::uint8_t, 3> black{0, 0, 0};
-constexpr std::array<std::uint8_t, 3> blue{178, 114, 0};
+constexpr std::array<std::uint8_t, 3> blue{178, 114, 0};   // the path
+constexpr std::array<std::uint8_t, 3> green{115, 158, 0};  // its start
+constexpr std::array<std::uint8_t, 3> red{30, 50, 213};    // its end
 
 TEST(MapPicture, ShowsACellAsASquareWhereThereIsRoom) {
     const Pixels pixels = picture_of(free_map_with_one_wall_cell(40, 20), {});
@@ -75,10 +77,17 @@ TEST(MapPicture, ShowsThePathAlsoBeyondTheMap) {
     EXPECT_GT(picture_of(map, long_path).count(blue), 500U);
 }
 
+TEST(MapPicture, ShowsStartAndEndWhereTheyAreOnePlace) {
+    const Trajectory loop{{0, {-0.5, 2.5, 0.0}}, {1, {0.5, 2.5, 0.0}}, {2, {-0.5, 2.5, 0.0}}};
+    const Pixels pixels = picture_of(free_map_with_one_wall_cell(40, 20), loop);
+    EXPECT_GT(pixels.count(green), 10U);
+    EXPECT_GT(pixels.count(red), 10U);
+}
+
 TEST(MapPicture, MayBeOfOneCellAndOnePose) {
     MapRaster map = free_map_with_one_wall_cell(1, 1);
     const Pixels pixels = picture_of(map, {{0, {-1.0, 2.0, 0.0}}});
-    EXPECT_GT(pixels.count({115, 158, 0}), 0U);  // the start
+    EXPECT_GT(pixels.count(green), 0U);
 }
 
 }  // namespace
