@@ -2,36 +2,16 @@
 
 #include <filesystem>
 
-#include "compare/fingerprint.hpp"
-#include "compare/pattern.hpp"
+#include "base/fingerprint.hpp"
+#include "base/pattern.hpp"
 #include "logs/log_stream.hpp"
 #include "sim/simulated_stream.hpp"
 #include "sim/simulation_json.hpp"
 #include "sim/world_catalogue.hpp"
+#include "sim/world_fingerprint.hpp"
 
 namespace ddtool::compare {
 namespace {
-
-std::string world_fingerprint(const sim::World& world) {
-    Fingerprint fingerprint;
-    const auto add_point = [&](const Point2& point) { fingerprint.add(point.x_m).add(point.y_m); };
-    for (const sim::Segment& segment : world.segments) {
-        add_point(segment.a);
-        add_point(segment.b);
-    }
-    fingerprint.add("arcs");
-    for (const sim::Arc& arc : world.arcs) {
-        add_point(arc.centre);
-        fingerprint.add(arc.radius_m).add(arc.start_rad).add(arc.sweep_rad);
-    }
-    fingerprint.add("route");
-    add_point({world.route.start.x_m, world.route.start.y_m});
-    fingerprint.add(world.route.start.theta_rad).add(world.route.laps);
-    for (const Point2& point : world.route.way_points) {
-        add_point(point);
-    }
-    return fingerprint.hex();
-}
 
 Json world_defaults(const Json& item, const Json& simulation) {
     if (item.contains("log")) {
@@ -65,7 +45,7 @@ DataSource WorldEntry::simulated(std::uint64_t seed) const {
     simulation["seed"] = seed;
     DataSource source;
     source.identity = {
-        {"world", world}, {"fingerprint", world_fingerprint(sim::load_world(world))}, {"simulation", simulation}};
+        {"world", world}, {"fingerprint", sim::world_fingerprint(sim::load_world(world))}, {"simulation", simulation}};
     source.open = [world, settings = sim::simulation_from_json(simulation)](const LogProblemHandler&) {
         return std::make_unique<sim::SimulatedStream>(sim::load_world(world), settings);
     };

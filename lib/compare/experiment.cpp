@@ -4,8 +4,8 @@
 #include <set>
 
 #include "base/error.hpp"
-#include "compare/fingerprint.hpp"
-#include "compare/pattern.hpp"
+#include "base/fingerprint.hpp"
+#include "base/pattern.hpp"
 #include "sim/simulation_json.hpp"
 #include "slam/settings_json.hpp"
 

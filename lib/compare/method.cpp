@@ -1,9 +1,9 @@
 #include "compare/method.hpp"
 
 #include "base/error.hpp"
+#include "base/fingerprint.hpp"
+#include "base/pattern.hpp"
 #include "base/thread_pool.hpp"
-#include "compare/fingerprint.hpp"
-#include "compare/pattern.hpp"
 #include "geometry/tum_file.hpp"
 #include "slam/rbpf.hpp"
 #include "slam/settings_json.hpp"

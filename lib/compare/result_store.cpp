@@ -2,6 +2,7 @@
 
 #include "base/atomic_file.hpp"
 #include "base/error.hpp"
+#include "base/folder.hpp"
 #include "base/json_struct.hpp"
 #include "geometry/tum_file.hpp"
 
@@ -9,21 +10,9 @@ namespace ddtool::compare {
 
 DDTOOL_JSON_STRUCT(CellResult, score, program, scans, log_problems, duration_s)
 
-namespace {
-
-void make_folder(const std::filesystem::path& folder) {
-    std::error_code error;
-    std::filesystem::create_directories(folder, error);
-    if (error) {
-        throw Error(folder.string() + ": cannot make the folder: " + error.message());
-    }
-}
-
-}  // namespace
-
 ResultStore::ResultStore(const std::filesystem::path& folder) : folder_(folder) {
-    make_folder(folder_ / "cells");
-    make_folder(folder_ / "truth");
+    made_folder(folder_ / "cells");
+    made_folder(folder_ / "truth");
 }
 
 std::optional<CellResult> ResultStore::load(const Cell& cell) const {

@@ -1,9 +1,10 @@
 #include "compare/world_pictures.hpp"
 
 #include "base/error.hpp"
+#include "base/folder.hpp"
 #include "base/log.hpp"
+#include "base/pattern.hpp"
 #include "compare/median_run.hpp"
-#include "compare/pattern.hpp"
 #include "compare/run_pictures.hpp"
 
 namespace ddtool::compare {
@@ -32,7 +33,7 @@ std::vector<Picture> draw_world(const std::filesystem::path& folder, const Shown
 std::vector<Picture> draw_worlds(const std::filesystem::path& folder, const Experiment& experiment,
                                  const std::vector<Cell>& cells, const std::vector<CellResult>& results,
                                  const ResultStore& store, ThreadPool& threads) {
-    std::filesystem::create_directories(folder / "pictures");
+    made_folder(folder / "pictures");
     const std::vector<Summary> summaries = summaries_of(experiment, cells, results);
     std::vector<std::vector<Picture>> by_world(experiment.worlds.size());
     threads.for_each(experiment.worlds.size(), [&](std::size_t world, std::size_t /*worker*/) {

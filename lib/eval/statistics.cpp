@@ -6,6 +6,8 @@
 #include <numeric>
 #include <vector>
 
+#include "eval/ranks.hpp"
+
 namespace ddtool {
 namespace {
 
@@ -34,17 +36,6 @@ std::vector<double> differences(std::span<const double> first, std::span<const d
         result.push_back(first[i] == second[i] ? 0.0 : second[i] - first[i]);
     }
     return result;
-}
-
-/// Twice the rank of each magnitude, so that the mean rank of a tie stays whole.
-std::vector<std::size_t> doubled_ranks(const std::vector<double>& magnitudes) {
-    const std::vector<double> order = sorted(magnitudes);
-    std::vector<std::size_t> ranks;
-    for (const double magnitude : magnitudes) {
-        const auto [first, last] = std::equal_range(order.begin(), order.end(), magnitude);
-        ranks.push_back(static_cast<std::size_t>((first - order.begin()) + (last - order.begin()) + 1));
-    }
-    return ranks;
 }
 
 /// Probability of every rank sum when each rank is counted or not with probability 1/2.

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "base/error.hpp"
-#include "logs/crc.hpp"
+#include "base/crc.hpp"
 
 namespace ddtool {
 namespace {

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "base/error.hpp"
-#include "logs/crc.hpp"
+#include "base/crc.hpp"
 #include "logs/mcap_compression.hpp"
 #include "logs/mcap_fields.hpp"
 

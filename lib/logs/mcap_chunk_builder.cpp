@@ -1,6 +1,6 @@
 #include "logs/mcap_chunk_builder.hpp"
 
-#include "logs/crc.hpp"
+#include "base/crc.hpp"
 
 namespace ddtool {
 

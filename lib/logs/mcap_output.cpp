@@ -5,7 +5,7 @@
 #include <string>
 
 #include "base/error.hpp"
-#include "logs/crc.hpp"
+#include "base/crc.hpp"
 
 namespace ddtool {
 namespace {

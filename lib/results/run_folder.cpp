@@ -1,10 +1,9 @@
 #include "results/run_folder.hpp"
 
-#include <system_error>
 #include <utility>
 
 #include "base/atomic_file.hpp"
-#include "base/error.hpp"
+#include "base/folder.hpp"
 #include "geometry/tum_file.hpp"
 #include "results/map_files.hpp"
 #include "results/map_picture.hpp"
@@ -15,19 +14,10 @@ namespace {
 constexpr const char* result_name = "result.mcap";
 constexpr const char* snapshots_name = "snapshots.mcap";
 
-std::filesystem::path created(std::filesystem::path folder) {
-    std::error_code failure;
-    std::filesystem::create_directories(folder, failure);
-    if (failure) {
-        throw Error(folder.string() + ": cannot create the folder: " + failure.message());
-    }
-    return folder;
-}
-
 }  // namespace
 
 RunFolder::RunFolder(std::filesystem::path folder, bool with_snapshots)
-    : folder_(created(std::move(folder))), result_(folder_ / result_name) {
+    : folder_(made_folder(std::move(folder))), result_(folder_ / result_name) {
     if (with_snapshots) {
         snapshots_.emplace(folder_ / snapshots_name);
     }

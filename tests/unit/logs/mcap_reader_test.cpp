@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "logs/crc.hpp"
+#include "base/crc.hpp"
 #include "logs/mcap_fields.hpp"
 #include "mcap_support.hpp"
 

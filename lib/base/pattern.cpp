@@ -1,8 +1,8 @@
-#include "compare/pattern.hpp"
+#include "base/pattern.hpp"
 
 #include <algorithm>
 
-namespace ddtool::compare {
+namespace ddtool {
 namespace {
 
 constexpr const char* safe_characters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789._-";
@@ -29,4 +29,4 @@ std::string file_name_of(const std::string& name) {
     return safe;
 }
 
-}  // namespace ddtool::compare
+}  // namespace ddtool

@@ -1,4 +1,4 @@
-#include "compare/fingerprint.hpp"
+#include "base/fingerprint.hpp"
 
 #include <array>
 #include <bit>
@@ -6,7 +6,7 @@
 #include <fstream>
 #include <vector>
 
-namespace ddtool::compare {
+namespace ddtool {
 
 Fingerprint& Fingerprint::add(std::string_view bytes) {
     for (const char byte : bytes) {
@@ -42,4 +42,4 @@ std::string file_fingerprint(const std::filesystem::path& path) {
     return fingerprint.hex();
 }
 
-}  // namespace ddtool::compare
+}  // namespace ddtool

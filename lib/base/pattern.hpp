@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <string>
 
-namespace ddtool::compare {
+namespace ddtool {
 
 /// The text with {world} and {seed} replaced.
 std::string expand(std::string text, const std::string& world, std::uint64_t seed);
@@ -11,4 +11,4 @@ std::string expand(std::string text, const std::string& world, std::uint64_t see
 /// The name with everything but letters, digits, '.', '_' and '-' replaced by '_': safe as part of a file's name.
 std::string file_name_of(const std::string& name);
 
-}  // namespace ddtool::compare
+}  // namespace ddtool

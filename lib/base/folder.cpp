@@ -1,0 +1,18 @@
+#include "base/folder.hpp"
+
+#include <system_error>
+
+#include "base/error.hpp"
+
+namespace ddtool {
+
+std::filesystem::path made_folder(std::filesystem::path folder) {
+    std::error_code failure;
+    std::filesystem::create_directories(folder, failure);
+    if (failure) {
+        throw Error(folder.string() + ": cannot create the folder: " + failure.message());
+    }
+    return folder;
+}
+
+}  // namespace ddtool
