@@ -52,6 +52,7 @@ std::vector<double> rank_sum_distribution(const std::vector<std::size_t>& ranks)
 
 double two_sided_p(const std::vector<double>& nonzero_differences) {
     std::vector<double> magnitudes;
+    magnitudes.reserve(nonzero_differences.size());
     for (const double difference : nonzero_differences) {
         magnitudes.push_back(std::abs(difference));
     }

@@ -2,7 +2,8 @@
 
 #include <gmock/gmock.h>
 
-#include <cstring>
+#include <algorithm>
+#include <cstdint>
 #include <ostream>
 #include <vector>
 
@@ -19,7 +20,7 @@ using testing::HasSubstr;
 
 struct Row {
     double x[3];
-    bool operator==(const Row& other) const { return std::memcmp(x, other.x, sizeof x) == 0; }
+    bool operator==(const Row& other) const { return std::equal(x, x + 3, other.x); }
 };
 const NpyFormat three_columns{"'<f8'", 3};
 

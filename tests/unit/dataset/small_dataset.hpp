@@ -41,6 +41,7 @@ inline DrawnSample drawn_sample(std::uint64_t seed) {
 
 inline std::vector<DrawnSample> drawn_samples(std::uint64_t count) {
     std::vector<DrawnSample> samples;
+    samples.reserve(count);
     for (std::uint64_t seed = 0; seed < count; ++seed) {
         samples.push_back(drawn_sample(seed));
     }
@@ -50,6 +51,7 @@ inline std::vector<DrawnSample> drawn_samples(std::uint64_t count) {
 inline ShardEntry write_drawn_shard(const std::filesystem::path& folder, const std::string& stem,
                                     const std::vector<DrawnSample>& samples) {
     std::vector<SampleRecord> records;
+    records.reserve(samples.size());
     for (const DrawnSample& sample : samples) {
         records.push_back(sample.record);
     }

@@ -1,7 +1,6 @@
 #include <gmock/gmock.h>
 
 #include <cstddef>
-#include <cstring>
 
 #include "base/atomic_file.hpp"
 #include "dataset/dataset.hpp"
@@ -16,6 +15,11 @@ using ddtool::test::TemporaryFolder;
 using ddtool::test::thrown_text;
 using testing::ElementsAre;
 using testing::HasSubstr;
+
+template <typename Row>
+std::string bits(std::span<const Row> rows) {
+    return {bytes_of(rows).begin(), bytes_of(rows).end()};
+}
 
 /// Two shards of three and two drawn samples.
 class StorageTest : public ::testing::Test {
@@ -49,10 +53,8 @@ TEST_F(StorageTest, ThereAndBackKeepsEveryBit) {
     for (std::size_t index = 0; index < read.size(); ++index) {
         SampleRecord expected = samples_[index].record;
         expected.first_particle = read.sample(index).first_particle;
-        EXPECT_EQ(std::memcmp(&read.sample(index), &expected, sizeof expected), 0) << index;
-        const auto particles = read.particles(index);
-        ASSERT_EQ(particles.size(), samples_[index].particles.size());
-        EXPECT_EQ(std::memcmp(particles.data(), samples_[index].particles.data(), particles.size_bytes()), 0) << index;
+        EXPECT_EQ(bits(std::span(&read.sample(index), 1)), bits(std::span<const SampleRecord>(&expected, 1))) << index;
+        EXPECT_EQ(bits(read.particles(index)), bits(std::span<const SnapshotParticle>(samples_[index].particles)));
     }
     EXPECT_EQ(read.run_of(read.sample(4)).scene, "room");
     EXPECT_EQ(read.manifest().settings, (Json{{"seed", 1}}));
