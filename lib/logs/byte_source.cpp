@@ -7,8 +7,8 @@
 #include <fstream>
 #include <utility>
 
-#include "base/error.hpp"
 #include "base/crc.hpp"
+#include "base/error.hpp"
 
 namespace ddtool {
 namespace {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "base/error.hpp"
 #include "base/crc.hpp"
+#include "base/error.hpp"
 #include "logs/mcap_compression.hpp"
 #include "logs/mcap_fields.hpp"
 

@@ -4,8 +4,8 @@
 #include <cstring>
 #include <string>
 
-#include "base/error.hpp"
 #include "base/crc.hpp"
+#include "base/error.hpp"
 
 namespace ddtool {
 namespace {
