@@ -26,4 +26,24 @@ void write_png(const std::filesystem::path& path, const PixelView& image) {
     file.commit();
 }
 
+std::vector<std::uint8_t> read_grey_png(const std::filesystem::path& path, std::size_t width_px,
+                                        std::size_t height_px) {
+    png_image header{};
+    header.version = PNG_IMAGE_VERSION;
+    if (png_image_begin_read_from_file(&header, path.c_str()) == 0) {
+        throw Error(path.string() + ": cannot read as PNG: " + std::string(header.message));
+    }
+    if (header.width != width_px || header.height != height_px || header.format != PNG_FORMAT_GRAY) {
+        png_image_free(&header);
+        throw Error(path.string() + ": " + std::to_string(header.width) + " x " + std::to_string(header.height) +
+                    " pixels" + (header.format == PNG_FORMAT_GRAY ? "" : ", not 8-bit grey") + "; expected " +
+                    std::to_string(width_px) + " x " + std::to_string(height_px) + " of 8-bit grey");
+    }
+    std::vector<std::uint8_t> pixels(width_px * height_px);
+    if (png_image_finish_read(&header, nullptr, pixels.data(), 0, nullptr) == 0) {
+        throw Error(path.string() + ": damaged PNG: " + std::string(header.message));
+    }
+    return pixels;
+}
+
 }  // namespace ddtool

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <span>
+#include <vector>
 
 namespace ddtool {
 
@@ -18,5 +19,9 @@ struct PixelView {
 /// Writes a PNG through libpng: OpenCV's own writer would pull a geographic library and 50 MB of memory into every
 /// command. Written beside and renamed. Throws Error naming the file.
 void write_png(const std::filesystem::path& path, const PixelView& image);
+
+/// Reads an 8-bit grey PNG of that size: its pixels row by row from the top. The size is asked for, so that a damaged
+/// header cannot ask for all memory. Throws Error naming the file and what it holds instead.
+std::vector<std::uint8_t> read_grey_png(const std::filesystem::path& path, std::size_t width_px, std::size_t height_px);
 
 }  // namespace ddtool
