@@ -22,7 +22,7 @@ class FreeSpace {
 public:
     explicit FreeSpace(double margin_cells) : margin_cells_(margin_cells) {}
 
-    /// x_cells, y_cells: end points in cells, in the world; origin: the laser likewise.
+    /// ends_cells: the end points of `points` in cells, in the world; origin_cells: the laser likewise.
     const std::vector<CellSpan>& find(const ScanPoints& points, const std::vector<Point2>& ends_cells,
                                       Point2 origin_cells);
 

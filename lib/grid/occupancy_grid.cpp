@@ -22,6 +22,22 @@ bool lies_in(NearestPoint point, Cell cell, Cell target) {
     return cell.x + ((point.x + units / 2) >> 5) == target.x && cell.y + ((point.y + units / 2) >> 5) == target.y;
 }
 
+NearestPoint running_mean(NearestPoint mean, NearestPoint added, float gain) {
+    const auto updated = [gain](std::int8_t before, std::int8_t value) {
+        return static_cast<std::int8_t>(
+            std::lrintf(static_cast<float>(before) + gain * static_cast<float>(value - before)));
+    };
+    return {updated(mean.x, added.x), updated(mean.y, added.y)};
+}
+
+bool all_equal(const std::int8_t* cells, int length, int value) {
+    int differences = 0;
+    for (int i = 0; i < length; ++i) {
+        differences |= cells[i] ^ value;
+    }
+    return differences == 0;
+}
+
 template <class Visit>
 void for_each_around(Cell centre, Visit&& visit) {
     for (int y = centre.y - OccupancyGrid::field_radius; y <= centre.y + OccupancyGrid::field_radius; ++y) {
@@ -60,33 +76,34 @@ void OccupancyGrid::reserve(const CellBox& box) {
     *this = std::move(larger);
 }
 
-Patch& OccupancyGrid::writable_patch(Cell cell) {
+PatchPointer& OccupancyGrid::pointer_at(Cell cell) {
     const int column = (cell.x >> Patch::size_bits) - first_column_;
     const int row = (cell.y >> Patch::size_bits) - first_row_;
-    return patches_[patch_index(column, row)].writable();
+    return patches_[patch_index(column, row)];
 }
 
+/// Ground seen often is certain, and a hit there changes nothing: then the patch stays shared.
 void OccupancyGrid::add_hit(Cell cell, NearestPoint offset) {
-    Patch& patch = writable_patch(cell);
+    PatchPointer& patch = pointer_at(cell);
     const std::size_t local = Patch::local(cell.x, cell.y);
-    const int before = patch.log_odds[local] == Patch::unknown ? 0 : patch.log_odds[local];
+    const int present = patch->log_odds[local];
+    const int before = present == Patch::unknown ? 0 : present;
     const int after = std::min(before + settings_.hit_step, settings_.max_log_odds);
-    patch.log_odds[local] = static_cast<std::int8_t>(after);
+    if (after != present) {
+        patch.writable().log_odds[local] = static_cast<std::int8_t>(after);
+    }
     if (after <= 0) {
         return;
     }
     if (before > 0) {
-        // Running mean; the evidence collected so far stands in for the number of hits.
-        const NearestPoint mean = patch.nearest[local];
-        const float gain = static_cast<float>(settings_.hit_step) / static_cast<float>(before + settings_.hit_step);
-        const NearestPoint updated{static_cast<std::int8_t>(std::lrintf(static_cast<float>(mean.x) +
-                                                                        gain * static_cast<float>(offset.x - mean.x))),
-                                   static_cast<std::int8_t>(std::lrintf(static_cast<float>(mean.y) +
-                                                                        gain * static_cast<float>(offset.y - mean.y)))};
-        if (updated == mean) {
+        // The evidence collected so far stands in for the number of hits.
+        const NearestPoint mean = patch->nearest[local];
+        offset = running_mean(
+            mean, offset,
+            static_cast<float>(settings_.hit_step) / static_cast<float>(before + settings_.hit_step));
+        if (offset == mean) {
             return;
         }
-        offset = updated;
     }
     spread(cell, offset);
 }
@@ -97,7 +114,7 @@ void OccupancyGrid::spread(Cell occupied_cell, NearestPoint offset) {
     for (int y = occupied_cell.y - field_radius; y <= occupied_cell.y + field_radius; ++y) {
         for (int x = occupied_cell.x - field_radius; x < x_end;) {
             const int piece_end = std::min(x_end, (x | Patch::local_mask) + 1);
-            Patch& patch = writable_patch({x, y});
+            Patch& patch = pointer_at({x, y}).writable();
             std::size_t local = Patch::local(x, y);
             for (; x < piece_end; ++x, ++local) {
                 const NearestPoint present = patch.nearest[local];
@@ -110,32 +127,43 @@ void OccupancyGrid::spread(Cell occupied_cell, NearestPoint offset) {
             }
         }
     }
-    writable_patch(occupied_cell).nearest[Patch::local(occupied_cell.x, occupied_cell.y)] = offset;
+    pointer_at(occupied_cell).writable().nearest[Patch::local(occupied_cell.x, occupied_cell.y)] = offset;
 }
 
 void OccupancyGrid::add_free(int y, int x_begin, int x_end) {
     for (int x = x_begin; x < x_end;) {
         const int piece_end = std::min(x_end, (x | Patch::local_mask) + 1);
-        Patch& patch = writable_patch({x, y});
+        const int length = piece_end - x;
+        PatchPointer& patch = pointer_at({x, y});
         const std::size_t local = Patch::local(x, y);
-        std::int8_t* cells = patch.log_odds.data() + local;
-        const auto step = static_cast<std::int8_t>(settings_.free_step);
-        const auto floor = static_cast<std::int8_t>(settings_.min_log_odds);
-        int was_occupied = 0;
-        for (int i = 0; i < piece_end - x; ++i) {
-            const std::int8_t value = cells[i];
-            was_occupied |= static_cast<int>(value > 0);
-            const auto known = static_cast<std::int8_t>(value == Patch::unknown ? 0 : value);
-            cells[i] = std::max(floor, static_cast<std::int8_t>(known - step));
-        }
-        if (was_occupied != 0) {
-            for (int cell_x = x; cell_x < piece_end; ++cell_x) {
-                if (!occupied({cell_x, y}) && lies_in(nearest({cell_x, y}), {cell_x, y}, {cell_x, y})) {
-                    forget({cell_x, y});
-                }
-            }
+        if (!all_equal(patch->log_odds.data() + local, length, settings_.min_log_odds) &&
+            lower(patch.writable().log_odds.data() + local, length)) {
+            forget_freed(y, x, piece_end);
         }
         x = piece_end;
+    }
+}
+
+/// Lowers a run of cells by one observation; whether one of them was occupied.
+bool OccupancyGrid::lower(std::int8_t* cells, int length) const {
+    const auto step = static_cast<std::int8_t>(settings_.free_step);
+    const auto floor = static_cast<std::int8_t>(settings_.min_log_odds);
+    int was_occupied = 0;
+    for (int i = 0; i < length; ++i) {
+        const std::int8_t value = cells[i];
+        was_occupied |= static_cast<int>(value > 0);
+        const auto known = static_cast<std::int8_t>(value == Patch::unknown ? 0 : value);
+        cells[i] = std::max(floor, static_cast<std::int8_t>(known - step));
+    }
+    return was_occupied != 0;
+}
+
+/// Takes the points of those cells of a row out of the field that are occupied no longer.
+void OccupancyGrid::forget_freed(int y, int x_begin, int x_end) {
+    for (int x = x_begin; x < x_end; ++x) {
+        if (!occupied({x, y}) && lies_in(nearest({x, y}), {x, y}, {x, y})) {
+            forget({x, y});
+        }
     }
 }
 
@@ -143,7 +171,7 @@ void OccupancyGrid::forget(Cell freed_cell) {
     for_each_around(freed_cell, [&](Cell cell) {
         if (!nearest(cell).none() && lies_in(nearest(cell), cell, freed_cell)) {
             const NearestPoint next = search_nearest(cell);
-            writable_patch(cell).nearest[Patch::local(cell.x, cell.y)] = next;
+            pointer_at(cell).writable().nearest[Patch::local(cell.x, cell.y)] = next;
         }
     });
 }

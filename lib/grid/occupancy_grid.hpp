@@ -76,8 +76,10 @@ private:
     [[nodiscard]] std::size_t patch_index(int column, int row) const {
         return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column);
     }
-    Patch& writable_patch(Cell cell);
+    PatchPointer& pointer_at(Cell cell);
     void spread(Cell occupied_cell, NearestPoint offset);
+    [[nodiscard]] bool lower(std::int8_t* cells, int length) const;
+    void forget_freed(int y, int x_begin, int x_end);
     void forget(Cell freed_cell);
     [[nodiscard]] NearestPoint search_nearest(Cell cell) const;
 

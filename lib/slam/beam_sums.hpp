@@ -12,7 +12,6 @@ struct BeamArrays {
     const float* normal_x;
     const float* normal_y;
     const float* along_weight;
-    const float* counts;
     const float* residual_x;
     const float* residual_y;
     const float* found;

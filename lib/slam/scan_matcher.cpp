@@ -2,7 +2,6 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "base/lanes.hpp"
@@ -53,7 +52,6 @@ BeamArrays arrays_of(const MatchPoints& points, const Residuals& residuals) {
             points.normal_x.data(),
             points.normal_y.data(),
             points.along_weight.data(),
-            points.counts.data(),
             residuals.x.data(),
             residuals.y.data(),
             residuals.found.data(),
