@@ -98,9 +98,8 @@ void OccupancyGrid::add_hit(Cell cell, NearestPoint offset) {
     if (before > 0) {
         // The evidence collected so far stands in for the number of hits.
         const NearestPoint mean = patch->nearest[local];
-        offset = running_mean(
-            mean, offset,
-            static_cast<float>(settings_.hit_step) / static_cast<float>(before + settings_.hit_step));
+        offset = running_mean(mean, offset,
+                              static_cast<float>(settings_.hit_step) / static_cast<float>(before + settings_.hit_step));
         if (offset == mean) {
             return;
         }

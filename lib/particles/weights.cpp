@@ -26,6 +26,15 @@ std::vector<double> normalised_weights(std::span<const double> log_weights) {
     return weights;
 }
 
+std::vector<double> weights_of(std::span<const SnapshotParticle> particles) {
+    std::vector<double> weights;
+    weights.reserve(particles.size());
+    for (const SnapshotParticle& particle : particles) {
+        weights.push_back(particle.weight);
+    }
+    return weights;
+}
+
 double effective_sample_size(std::span<const double> weights) {
     return 1.0 / std::inner_product(weights.begin(), weights.end(), weights.begin(), 0.0);
 }

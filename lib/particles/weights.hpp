@@ -4,10 +4,15 @@
 #include <span>
 #include <vector>
 
+#include "particles/particle_snapshot.hpp"
+
 namespace ddtool {
 
 /// exp(l - max l), scaled to sum to one. Non-finite log weights count as zero; if none is finite, all are equal.
 std::vector<double> normalised_weights(std::span<const double> log_weights);
+
+/// The normalised weights of a swarm.
+std::vector<double> weights_of(std::span<const SnapshotParticle> particles);
 
 /// Effective sample size 1 / sum w^2 of normalised weights (Doucet et al. 2000; Grisetti et al. 2007, eq. 20).
 double effective_sample_size(std::span<const double> weights);

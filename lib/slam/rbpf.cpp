@@ -111,34 +111,30 @@ void Rbpf::predict_and_match(const MatchPoints& points, const Pose2& odometry_mo
         const Pose2 from = particle.pose;
         const Pose2 predicted = from * particle.predicted_motion;
         settle(particle, from, points, matcher, matcher.match(particle.grid, points, predicted, prior), predicted);
-        particle.log_likelihood += particle.log_likelihood_increment;
-        particle.log_weight = settings_.likelihood_gain * particle.log_likelihood;
+        particle.log_likelihood += particle.match.log_likelihood;
     });
 }
 
 /// Takes a match for the particle's pose, or the prediction where the match is none.
 void Rbpf::settle(Particle& particle, const Pose2& from, const MatchPoints& points, ScanMatcher& matcher,
                   const ScanMatch& match, const Pose2& predicted) const {
-    particle.match = match;
-    if (match.score < settings_.min_match_score) {
-        particle.match.pose = predicted;
-    }
+    particle.match =
+        match.score < settings_.min_match_score ? matcher.evaluate(particle.grid, points, predicted) : match;
     particle.pose = particle.match.pose;
     particle.matched_motion = between(from, particle.pose);
-    particle.log_likelihood_increment = matcher.log_likelihood(particle.grid, points, particle.pose);
 }
 
 ParticleSnapshot Rbpf::snapshot(std::int64_t stamp_ns, const Pose2& odometry_motion) const {
     std::vector<double> log_weights;
     for (const Particle& particle : particles_) {
-        log_weights.push_back(particle.log_weight);
+        log_weights.push_back(settings_.likelihood_gain * particle.log_likelihood);
     }
     const std::vector<double> weights = normalised_weights(log_weights);
     ParticleSnapshot swarm{stamp_ns, updates_, odometry_motion, {}};
     for (std::size_t index = 0; index < particles_.size(); ++index) {
         const Particle& particle = particles_[index];
         swarm.particles.push_back({particle.pose, particle.matched_motion, particle.predicted_motion,
-                                   particle.log_likelihood, particle.log_likelihood_increment, particle.match.score,
+                                   particle.log_likelihood, particle.match.log_likelihood, particle.match.score,
                                    weights[index]});
     }
     return swarm;
@@ -153,21 +149,17 @@ void Rbpf::correct(const MatchPoints& points, const Pose2& odometry_motion, cons
         const Pose2 from = particle.pose * inverse(particle.matched_motion);
         const MatchContext context{
             matcher, particle.grid, points, from * particle.predicted_motion, from * odometry_motion, prior};
-        const double before = particle.log_likelihood_increment;
+        const double before = particle.match.log_likelihood;
         settle(particle, from, points, matcher, strategies_.correction->correct(context, particle.match, degeneracy),
                context.predicted);
-        particle.log_likelihood += particle.log_likelihood_increment - before;
-        particle.log_weight = settings_.likelihood_gain * particle.log_likelihood;
+        particle.log_likelihood += particle.match.log_likelihood - before;
     });
 }
 
 void Rbpf::resample_if_poor(const ParticleSnapshot& swarm, const Degeneracy& degeneracy) {
     const StageTimer timer(times_.resample_s);
-    std::vector<double> weights;
-    for (const SnapshotParticle& particle : swarm.particles) {
-        weights.push_back(particle.weight);
-    }
-    if (effective_sample_size(weights) >= settings_.resample_share * static_cast<double>(particles_.size())) {
+    if (effective_sample_size(weights_of(swarm.particles)) >=
+        settings_.resample_share * static_cast<double>(particles_.size())) {
         return;
     }
     RandomStream random({settings_.seed, resampling_draw, updates_});
@@ -176,7 +168,6 @@ void Rbpf::resample_if_poor(const ParticleSnapshot& swarm, const Degeneracy& deg
     for (const Descendant& descendant : strategies_.resampling->resample(swarm.particles, degeneracy, random)) {
         next.push_back(particles_[descendant.parent]);
         next.back().pose = descendant.pose;
-        next.back().log_weight = 0.0;
         next.back().log_likelihood = 0.0;
         history_.acquire(next.back().history);
     }
@@ -205,7 +196,7 @@ void Rbpf::remember() {
 
 const Particle& Rbpf::best() const {
     return *std::max_element(particles_.begin(), particles_.end(),
-                             [](const Particle& a, const Particle& b) { return a.log_weight < b.log_weight; });
+                             [](const Particle& a, const Particle& b) { return a.log_likelihood < b.log_likelihood; });
 }
 
 Pose2 Rbpf::pose() const { return best().pose * scans_.back().motion; }

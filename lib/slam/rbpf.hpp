@@ -41,9 +41,7 @@ struct Particle {
     Pose2 predicted_motion;
     Pose2 matched_motion;
     ScanMatch match;
-    double log_weight = 0.0;  ///< gain times log_likelihood
-    double log_likelihood = 0.0;
-    double log_likelihood_increment = 0.0;
+    double log_likelihood = 0.0;  ///< since the last resampling; the weight is its exponential, after the gain
     PoseHistory::Node history = PoseHistory::none;
     OccupancyGrid grid;
 };
@@ -64,7 +62,7 @@ public:
     bool process(const SensorFrame& frame);
 
     [[nodiscard]] std::span<const Particle> particles() const { return particles_; }
-    /// The particle of the largest weight.
+    /// The particle of the largest likelihood since the last resampling.
     [[nodiscard]] const Particle& best() const;
     /// world_from_robot at the latest scan, by the best particle.
     [[nodiscard]] Pose2 pose() const;

@@ -12,6 +12,12 @@ namespace {
 
 constexpr std::size_t search_stride = 3;
 
+/// A step of Gauss-Newton smaller than this is not taken: the cells are fifty times as large.
+constexpr double settled_m = 1e-3;
+constexpr double settled_rad = 5e-4;
+
+double squared(double value) { return value * value; }
+
 struct Rotation {
     float c, s;
     explicit Rotation(double theta_rad)
@@ -86,7 +92,9 @@ MatchPoints::MatchPoints(const ScanPoints& points, double cell_size_m)
       beams(points.size()) {}
 
 ScanMatcher::ScanMatcher(const ScanMatcherSettings& settings, double cell_size_m)
-    : settings_(settings), cell_size_m_(cell_size_m) {}
+    : settings_(settings),
+      cell_size_m_(cell_size_m),
+      inverse_reach2_(static_cast<float>(squared(cell_size_m / settings.reach_m))) {}
 
 void ScanMatcher::find_residuals(const OccupancyGrid& grid, const MatchPoints& points, const Pose2& pose,
                                  std::size_t stride) {
@@ -116,45 +124,60 @@ void ScanMatcher::find_residuals(const OccupancyGrid& grid, const MatchPoints& p
     }
 }
 
-ScanMatcher::Normal ScanMatcher::normal_equations(const MatchPoints& points, double theta_rad) const {
-    const Rotation rotation(theta_rad);
-    const double reach_cells = settings_.reach_m / cell_size_m_;
+ScanMatcher::Normal ScanMatcher::normal_equations(const MatchPoints& points, const Pose2& pose) const {
+    const Rotation rotation(pose.theta_rad);
     Sums sums{};
-    add_normal_equations(arrays_of(points, residuals_), points.x.size(), rotation.c, rotation.s,
-                         static_cast<float>(1.0 / (reach_cells * reach_cells)), sums);
+    add_normal_equations(arrays_of(points, residuals_), points.x.size(), rotation.c, rotation.s, inverse_reach2_, sums);
     // From cells to metres, and from squared residuals to information.
-    const double per_m2 = 1.0 / (settings_.beam_sigma_m * settings_.beam_sigma_m);
+    const double per_m2 = 1.0 / squared(settings_.beam_sigma_m);
     const double m = cell_size_m_;
     Normal normal;
-    normal.hessian << sums[xx], sums[xy], m * sums[xt],  //
-        sums[xy], sums[yy], m * sums[yt],                //
+    normal.match.pose = pose;
+    normal.match.information << sums[xx], sums[xy], m * sums[xt],  //
+        sums[xy], sums[yy], m * sums[yt],                          //
         m * sums[xt], m * sums[yt], m * m * sums[tt];
-    normal.hessian *= per_m2;
+    normal.match.information *= per_m2;
+    normal.match.score = sums[total_score] / static_cast<double>(std::max<std::size_t>(points.beams, 1));
     normal.gradient = per_m2 * m * Eigen::Vector3d(sums[gx], sums[gy], m * sums[gt]);
-    normal.score = sums[total_score] / static_cast<double>(std::max<std::size_t>(points.beams, 1));
     return normal;
+}
+
+double ScanMatcher::log_likelihood(const MatchPoints& points, double theta_rad) const {
+    const Rotation rotation(theta_rad);
+    const double inverse = 0.5 * squared(cell_size_m_ / settings_.beam_sigma_m);
+    const double miss = 0.5 * squared(settings_.reach_m / settings_.beam_sigma_m);
+    LogLikelihood result;
+    add_log_likelihoods(arrays_of(points, residuals_), points.x.size(), rotation.c, rotation.s,
+                        static_cast<float>(inverse), static_cast<float>(miss), result);
+    // A scan wholly in unseen ground is no evidence for the pose: every beam a miss.
+    const double mean = result.known_beams > 0.0 ? result.sum / result.known_beams : -miss;
+    return mean * static_cast<double>(points.beams);
+}
+
+ScanMatch ScanMatcher::evaluate(const OccupancyGrid& grid, const MatchPoints& points, const Pose2& pose) {
+    find_residuals(grid, points, pose, 1);
+    ScanMatch match = normal_equations(points, pose).match;
+    match.log_likelihood = log_likelihood(points, pose.theta_rad);
+    return match;
 }
 
 ScanMatch ScanMatcher::refine(const OccupancyGrid& grid, const MatchPoints& points, const Pose2& start,
                               const Pose2& predicted, const Eigen::Matrix3d& prior_information) {
-    ScanMatch match;
-    match.pose = start;
-    for (int iteration = 0; iteration < settings_.max_iterations; ++iteration) {
-        find_residuals(grid, points, match.pose, 1);
-        const Normal normal = normal_equations(points, match.pose.theta_rad);
-        match.score = normal.score;
-        match.information = normal.hessian;
-        const Eigen::Vector3d from_prediction(match.pose.x_m - predicted.x_m, match.pose.y_m - predicted.y_m,
-                                              wrap_angle(match.pose.theta_rad - predicted.theta_rad));
-        const Eigen::Matrix3d system = normal.hessian + prior_information;
+    Pose2 pose = start;
+    for (int iteration = 1;; ++iteration) {
+        find_residuals(grid, points, pose, 1);
+        Normal normal = normal_equations(points, pose);
+        const Eigen::Vector3d from_prediction(pose.x_m - predicted.x_m, pose.y_m - predicted.y_m,
+                                              wrap_angle(pose.theta_rad - predicted.theta_rad));
+        const Eigen::Matrix3d system = normal.match.information + prior_information;
         const Eigen::Vector3d step = -system.ldlt().solve(normal.gradient + prior_information * from_prediction);
-        match.pose = {match.pose.x_m + step.x(), match.pose.y_m + step.y(),
-                      wrap_angle(match.pose.theta_rad + step.z())};
-        if (step.head<2>().norm() < 1e-3 && std::abs(step.z()) < 5e-4) {
-            break;
+        const bool settled = step.head<2>().norm() < settled_m && std::abs(step.z()) < settled_rad;
+        if (settled || iteration >= settings_.max_iterations) {
+            normal.match.log_likelihood = log_likelihood(points, pose.theta_rad);
+            return normal.match;
         }
+        pose = {pose.x_m + step.x(), pose.y_m + step.y(), wrap_angle(pose.theta_rad + step.z())};
     }
-    return match;
 }
 
 Pose2 ScanMatcher::search(const OccupancyGrid& grid, const MatchPoints& points, const Pose2& start) {
@@ -201,25 +224,9 @@ ScanMatch ScanMatcher::match(const OccupancyGrid& grid, const MatchPoints& point
 double ScanMatcher::score(const OccupancyGrid& grid, const MatchPoints& points, const Pose2& pose, std::size_t stride) {
     find_residuals(grid, points, pose, stride);
     const Rotation rotation(pose.theta_rad);
-    const double reach_cells = settings_.reach_m / cell_size_m_;
-    const double sum = sum_of_scores(arrays_of(points, residuals_), points.x.size(), stride, rotation.c, rotation.s,
-                                     static_cast<float>(1.0 / (reach_cells * reach_cells)));
+    const double sum =
+        sum_of_scores(arrays_of(points, residuals_), points.x.size(), stride, rotation.c, rotation.s, inverse_reach2_);
     return sum / static_cast<double>(std::max<std::size_t>(points.beams, 1));
-}
-
-double ScanMatcher::log_likelihood(const OccupancyGrid& grid, const MatchPoints& points, const Pose2& pose) {
-    find_residuals(grid, points, pose, 1);
-    const Rotation rotation(pose.theta_rad);
-    const double sigma_cells = settings_.beam_sigma_m / cell_size_m_;
-    const double reach_cells = settings_.reach_m / cell_size_m_;
-    const double inverse = 1.0 / (2.0 * sigma_cells * sigma_cells);
-    const double miss = reach_cells * reach_cells * inverse;
-    LogLikelihood result;
-    add_log_likelihoods(arrays_of(points, residuals_), points.x.size(), rotation.c, rotation.s,
-                        static_cast<float>(inverse), static_cast<float>(miss), result);
-    // A scan wholly in unseen ground is no evidence for the pose: every beam a miss.
-    const double mean = result.known_beams > 0.0 ? result.sum / result.known_beams : -miss;
-    return mean * static_cast<double>(points.beams);
 }
 
 }  // namespace ddtool

@@ -53,6 +53,10 @@ struct ScanMatch {
     double score = 0.0;  ///< mean over the beams of (1 - q / reach^2)^3, q the squared distance to the mapped surface
     /// Information the scan has of the pose (x, y, theta in the world frame; 1/m^2, 1/(m rad), 1/rad^2).
     Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
+    /// Sum over the beams of log p(z | x, m): -min(q / (2 sigma^2), the value of a miss). A beam that ends in ground
+    /// never observed counts as the mean of the others: if it counted as a miss, every particle that lags behind and so
+    /// sees less of the unknown would gain by it, and corridors would come out short.
+    double log_likelihood = 0.0;
 };
 
 /// Finds the pose at which a scan fits a grid, by Gauss-Newton on the distances from the end points to the nearest
@@ -64,28 +68,28 @@ public:
 
     /// initial: world_from_robot as the motion model predicted it.
     ScanMatch match(const OccupancyGrid& grid, const MatchPoints& points, const Pose2& initial, const PosePrior& prior);
+    /// How the scan fits at a pose given.
+    ScanMatch evaluate(const OccupancyGrid& grid, const MatchPoints& points, const Pose2& pose);
     /// Score at a pose, every `stride`-th block of beams.
     double score(const OccupancyGrid& grid, const MatchPoints& points, const Pose2& pose, std::size_t stride = 1);
-    /// Sum over the beams of log p(z | x, m): -min(q / (2 sigma^2), the value of a miss). A beam that ends in ground
-    /// never observed counts as the mean of the others: if it counted as a miss, every particle that lags behind and so
-    /// sees less of the unknown would gain by it, and corridors would come out short.
-    double log_likelihood(const OccupancyGrid& grid, const MatchPoints& points, const Pose2& pose);
 
 private:
     struct Normal {
-        Eigen::Matrix3d hessian;
+        ScanMatch match;  ///< without its log-likelihood
         Eigen::Vector3d gradient;
-        double score;
     };
 
     void find_residuals(const OccupancyGrid& grid, const MatchPoints& points, const Pose2& pose, std::size_t stride);
-    Normal normal_equations(const MatchPoints& points, double theta_rad) const;
+    /// Both of the residuals found last, at every beam, at the same pose.
+    [[nodiscard]] Normal normal_equations(const MatchPoints& points, const Pose2& pose) const;
+    [[nodiscard]] double log_likelihood(const MatchPoints& points, double theta_rad) const;
     ScanMatch refine(const OccupancyGrid& grid, const MatchPoints& points, const Pose2& start, const Pose2& predicted,
                      const Eigen::Matrix3d& prior_information);
     Pose2 search(const OccupancyGrid& grid, const MatchPoints& points, const Pose2& start);
 
     ScanMatcherSettings settings_;
     double cell_size_m_;
+    float inverse_reach2_;  ///< 1/cells^2
     Residuals residuals_;
 };
 

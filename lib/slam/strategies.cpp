@@ -6,12 +6,8 @@ namespace ddtool {
 
 std::vector<Descendant> SystematicResampling::resample(std::span<const SnapshotParticle> particles,
                                                        const Degeneracy& /*degeneracy*/, RandomStream& random) const {
-    std::vector<double> weights;
-    for (const SnapshotParticle& particle : particles) {
-        weights.push_back(particle.weight);
-    }
     std::vector<Descendant> descendants;
-    for (const std::size_t parent : systematic_resampling(weights, random.uniform())) {
+    for (const std::size_t parent : systematic_resampling(weights_of(particles), random.uniform())) {
         descendants.push_back({parent, particles[parent].pose});
     }
     return descendants;

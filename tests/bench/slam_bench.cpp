@@ -44,14 +44,14 @@ void match_scan(benchmark::State& state) {
 }
 BENCHMARK(match_scan)->Unit(benchmark::kMicrosecond);
 
-void log_likelihood(benchmark::State& state) {
+void evaluate(benchmark::State& state) {
     const MappedScan scan;
     ScanMatcher matcher({}, scan.grid.cell_size_m());
     for (auto _ : state) {
-        benchmark::DoNotOptimize(matcher.log_likelihood(scan.grid, scan.match_points, scan.frame.odom_from_robot));
+        benchmark::DoNotOptimize(matcher.evaluate(scan.grid, scan.match_points, scan.frame.odom_from_robot));
     }
 }
-BENCHMARK(log_likelihood)->Unit(benchmark::kMicrosecond);
+BENCHMARK(evaluate)->Unit(benchmark::kMicrosecond);
 
 void insert_scan(benchmark::State& state) {
     MappedScan scan;

@@ -97,11 +97,11 @@ TEST(ScanMatcher, InformationOfARoomConstrainsEverything) {
 TEST(ScanMatcher, SaysTheSameOfAWorldMovedByWholeCells) {
     const View view;
     const Pose2 probe = view.pose * Pose2{0.04, -0.03, 0.02};
-    const double log_likelihood = matcher().log_likelihood(view.grid, view.match_points, probe);
+    const double log_likelihood = matcher().evaluate(view.grid, view.match_points, probe).log_likelihood;
     for (const int cells : {1, 32, -77, 4096}) {
         const Pose2 motion{cell_m * cells, -2.0 * cell_m * cells, 0.0};
         const OccupancyGrid moved = grid_with(view.points, motion * view.pose);
-        EXPECT_NEAR(matcher().log_likelihood(moved, view.match_points, motion * probe), log_likelihood,
+        EXPECT_NEAR(matcher().evaluate(moved, view.match_points, motion * probe).log_likelihood, log_likelihood,
                     1e-3 * std::abs(log_likelihood))
             << cells;
     }
@@ -110,11 +110,11 @@ TEST(ScanMatcher, SaysTheSameOfAWorldMovedByWholeCells) {
 TEST(ScanMatcher, SaysTheSameOfAWorldTurnedByQuarters) {
     const View view;
     const Pose2 probe = view.pose * Pose2{0.04, -0.03, 0.02};
-    const double log_likelihood = matcher().log_likelihood(view.grid, view.match_points, probe);
+    const double log_likelihood = matcher().evaluate(view.grid, view.match_points, probe).log_likelihood;
     for (const double quarters : {1.0, 2.0, -1.0}) {
         const Pose2 motion{0.0, 0.0, quarters * std::numbers::pi / 2.0};
         const OccupancyGrid turned = grid_with(view.points, motion * view.pose);
-        EXPECT_NEAR(matcher().log_likelihood(turned, view.match_points, motion * probe), log_likelihood,
+        EXPECT_NEAR(matcher().evaluate(turned, view.match_points, motion * probe).log_likelihood, log_likelihood,
                     0.01 * std::abs(log_likelihood))
             << quarters;
     }
@@ -125,7 +125,7 @@ TEST(ScanMatcher, LikelihoodFallsWithTheDistance) {
     double before = 1.0;
     for (const double off_m : {0.0, 0.02, 0.05, 0.1, 0.2}) {
         const double value =
-            matcher().log_likelihood(view.grid, view.match_points, view.pose * Pose2{off_m, off_m, 0.0});
+            matcher().evaluate(view.grid, view.match_points, view.pose * Pose2{off_m, off_m, 0.0}).log_likelihood;
         EXPECT_LE(value, 0.0);
         EXPECT_LT(value, before) << off_m;
         before = value;
@@ -168,8 +168,8 @@ TEST(ScanMatcher, BeamsIntoUnknownGroundCountAsTheMeanOfTheOthers) {
     ASSERT_GT(right.size(), 50U);
     const OccupancyGrid grid = grid_with(left, pose);
     const Pose2 probe{0.03, -0.02, 0.01};
-    const double of_left = matcher().log_likelihood(grid, {left, cell_m}, probe);
-    const double of_both = matcher().log_likelihood(grid, {joined(left, right), cell_m}, probe);
+    const double of_left = matcher().evaluate(grid, {left, cell_m}, probe).log_likelihood;
+    const double of_both = matcher().evaluate(grid, {joined(left, right), cell_m}, probe).log_likelihood;
     EXPECT_LT(of_left, -0.1);
     EXPECT_NEAR(of_both / static_cast<double>(left.size() + right.size()), of_left / static_cast<double>(left.size()),
                 1e-3 * std::abs(of_left / static_cast<double>(left.size())));
@@ -182,7 +182,7 @@ TEST(ScanMatcher, WithoutBeamsKeepsThePrediction) {
     EXPECT_EQ(match.pose, (Pose2{1.0, 2.0, 3.0}));
     EXPECT_EQ(match.score, 0.0);
     EXPECT_TRUE(match.information.isZero());
-    EXPECT_EQ(matcher().log_likelihood(view.grid, none, {}), 0.0);
+    EXPECT_EQ(matcher().evaluate(view.grid, none, {}).log_likelihood, 0.0);
 }
 
 TEST(ScanMatcher, InAnEmptyGridKeepsThePrediction) {
