@@ -39,14 +39,6 @@ Trajectory truth_at_scans(const sim::Simulation& simulation) {
     return truth;
 }
 
-double path_length_m(const Trajectory& trajectory) {
-    double length_m = 0.0;
-    for (std::size_t i = 1; i < trajectory.size(); ++i) {
-        length_m += distance_m(trajectory[i - 1].pose, trajectory[i].pose);
-    }
-    return length_m;
-}
-
 void print_summary(const sim::World& world, const sim::Simulation& simulation) {
     const Trajectory& truth = simulation.truth();
     const Pose2 true_end = between(truth.front().pose, truth.back().pose);

@@ -16,6 +16,15 @@ struct PixelView {
     std::span<const std::uint8_t> pixels;  ///< width_px * height_px * channels bytes
 };
 
+/// The pixels of an OpenCV matrix that lies in memory without gaps.
+template <class Matrix>
+PixelView pixels_of(const Matrix& matrix) {
+    return {.width_px = static_cast<std::size_t>(matrix.cols),
+            .height_px = static_cast<std::size_t>(matrix.rows),
+            .channels = static_cast<std::size_t>(matrix.channels()),
+            .pixels = {matrix.data, matrix.total() * matrix.elemSize()}};
+}
+
 /// Writes a PNG through libpng: OpenCV's own writer would pull a geographic library and 50 MB of memory into every
 /// command. Written beside and renamed. Throws Error naming the file.
 void write_png(const std::filesystem::path& path, const PixelView& image);

@@ -1,6 +1,7 @@
 #include "base/thread_pool.hpp"
 
 #include <algorithm>
+#include <system_error>
 #include <utility>
 
 namespace ddtool {
@@ -9,8 +10,12 @@ ThreadPool::ThreadPool(std::size_t threads) {
     if (threads == 0) {
         threads = std::max(1U, std::thread::hardware_concurrency());
     }
-    for (std::size_t worker = 1; worker < threads; ++worker) {
-        workers_.emplace_back([this, worker] { work(worker); });
+    try {
+        for (std::size_t worker = 1; worker < threads; ++worker) {
+            workers_.emplace_back([this, worker] { work(worker); });
+        }
+    } catch (const std::system_error&) {
+        // The system has no more threads to give: those there are do the work, with the same results.
     }
 }
 

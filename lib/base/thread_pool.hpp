@@ -14,7 +14,7 @@ namespace ddtool {
 /// A fixed set of workers for loops whose iterations are independent. The calling thread is worker 0.
 class ThreadPool {
 public:
-    /// threads = 0 takes every core.
+    /// threads = 0 takes every core. Fewer start where the system gives no more.
     explicit ThreadPool(std::size_t threads = 0);
     ~ThreadPool();
     ThreadPool(const ThreadPool&) = delete;

@@ -4,6 +4,14 @@
 
 namespace ddtool {
 
+double path_length_m(const Trajectory& trajectory) {
+    double length_m = 0.0;
+    for (std::size_t i = 1; i < trajectory.size(); ++i) {
+        length_m += distance_m(trajectory[i - 1].pose, trajectory[i].pose);
+    }
+    return length_m;
+}
+
 std::optional<Pose2> pose_at(const Trajectory& sorted_by_time, std::int64_t stamp_ns) {
     const auto after = std::lower_bound(sorted_by_time.begin(), sorted_by_time.end(), stamp_ns,
                                         [](const StampedPose& pose, std::int64_t t) { return pose.stamp_ns < t; });

@@ -35,10 +35,7 @@ cv::Mat3b Figure::render() const {
 
 void Figure::write_png(const std::filesystem::path& path) const {
     const cv::Mat3b page = render();
-    ddtool::write_png(path, {.width_px = static_cast<std::size_t>(page.cols),
-                             .height_px = static_cast<std::size_t>(page.rows),
-                             .channels = 3,
-                             .pixels = {page.data, page.total() * page.elemSize()}});
+    ddtool::write_png(path, pixels_of(page));
 }
 
 }  // namespace ddtool::plot

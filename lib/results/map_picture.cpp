@@ -144,12 +144,7 @@ public:
                     cv::LINE_AA);
     }
 
-    void write(const std::filesystem::path& file) const {
-        write_png(file, {.width_px = static_cast<std::size_t>(image_.cols),
-                         .height_px = static_cast<std::size_t>(image_.rows),
-                         .channels = 3,
-                         .pixels = {image_.data, image_.total() * image_.elemSize()}});
-    }
+    void write(const std::filesystem::path& file) const { write_png(file, pixels_of(image_)); }
 
 private:
     [[nodiscard]] cv::Point at(const Pose2& pose) const {

@@ -11,14 +11,6 @@ DDTOOL_JSON_STRUCT(StageTimes, prepare_s, match_s, detect_s, correct_s, resample
 
 namespace {
 
-double length_m(const Trajectory& trajectory) {
-    double sum_m = 0.0;
-    for (std::size_t i = 1; i < trajectory.size(); ++i) {
-        sum_m += distance_m(trajectory[i - 1].pose, trajectory[i].pose);
-    }
-    return sum_m;
-}
-
 /// From the earliest to the latest stamp: old logs jitter backwards.
 double duration_s(const Trajectory& trajectory) {
     if (trajectory.empty()) {
@@ -39,7 +31,7 @@ Json run_report(const FilterRun& run, const MapRaster& map) {
                 {"updates", run.updates},
                 {"resamplings", run.resamplings},
                 {"duration_s", duration_s(run.trajectory)},
-                {"path_m", length_m(run.trajectory)},
+                {"path_m", path_length_m(run.trajectory)},
                 {"map", {{"width_m", map.width_m()}, {"height_m", map.height_m()}, {"cell_size_m", map.cell_size_m}}},
                 {"stages", stages}};
     if (!run.ground_truth.empty()) {

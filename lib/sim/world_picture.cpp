@@ -50,12 +50,7 @@ public:
     }
     void dot(const Point2& centre, const cv::Scalar& colour) { circle(centre, 5.0 / px_per_m_, colour, cv::FILLED); }
 
-    void write(const std::filesystem::path& file) const {
-        write_png(file, {.width_px = static_cast<std::size_t>(image_.cols),
-                         .height_px = static_cast<std::size_t>(image_.rows),
-                         .channels = 3,
-                         .pixels = {image_.data, image_.total() * image_.elemSize()}});
-    }
+    void write(const std::filesystem::path& file) const { write_png(file, pixels_of(image_)); }
 
 private:
     void include(const Point2& point, double margin) {

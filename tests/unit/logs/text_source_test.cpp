@@ -31,9 +31,17 @@ std::string read_all(const std::filesystem::path& path, std::vector<LogProblem>&
     return text;
 }
 
-using Pack = std::string (*)(const std::string&);
+struct Format {
+    const char* name;
+    std::string (*pack)(const std::string&);
+};
+constexpr Format plain{"plain", test::plain};
+constexpr Format gzip{"gzip", test::gzip};
+constexpr Format bzip2{"bzip2", test::bzip2};
 
-class Packed : public testing::TestWithParam<Pack> {
+std::string name_of(const testing::TestParamInfo<Format>& format) { return format.param.name; }
+
+class Packed : public testing::TestWithParam<Format> {
 protected:
     test::TemporaryFolder folder_;
     std::vector<LogProblem> problems_;
@@ -41,23 +49,23 @@ protected:
 
 TEST_P(Packed, ComesOutAsItWentIn) {
     const std::string text = lines_of(20'000);
-    write_file(folder_ / "log", GetParam()(text));
+    write_file(folder_ / "log", GetParam().pack(text));
     EXPECT_EQ(read_all(folder_ / "log", problems_), text);
     EXPECT_TRUE(problems_.empty());
 }
 
 TEST_P(Packed, SeveralInARowAreOneText) {
-    write_file(folder_ / "log", GetParam()("one\n") + GetParam()("two\n"));
+    write_file(folder_ / "log", GetParam().pack("one\n") + GetParam().pack("two\n"));
     EXPECT_EQ(read_all(folder_ / "log", problems_), "one\ntwo\n");
 }
 
-INSTANTIATE_TEST_SUITE_P(Formats, Packed, testing::Values(test::plain, test::gzip, test::bzip2));
+INSTANTIATE_TEST_SUITE_P(Formats, Packed, testing::Values(plain, gzip, bzip2), name_of);
 
 class Compressed : public Packed {};
 
 TEST_P(Compressed, CutOffGivesTheBeginningAndOneProblem) {
     const std::string text = lines_of(200'000);
-    const std::string packed = GetParam()(text);
+    const std::string packed = GetParam().pack(text);
     write_file(folder_ / "log", packed.substr(0, packed.size() * 3 / 4));
     const std::string beginning = read_all(folder_ / "log", problems_);
     EXPECT_EQ(beginning, text.substr(0, beginning.size()));
@@ -66,7 +74,7 @@ TEST_P(Compressed, CutOffGivesTheBeginningAndOneProblem) {
     EXPECT_NE(problems_[0].what.find("cut off"), std::string::npos);
 }
 
-INSTANTIATE_TEST_SUITE_P(Formats, Compressed, testing::Values(test::gzip, test::bzip2));
+INSTANTIATE_TEST_SUITE_P(Formats, Compressed, testing::Values(gzip, bzip2), name_of);
 
 TEST(TextSource, SaysWhyAFileCannotBeOpened) {
     EXPECT_THROW(open_text("/nonexistent/log", {}), Error);
