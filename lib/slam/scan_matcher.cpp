@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t search_stride = 3;
 
-/// A step of Gauss-Newton smaller than this is not taken: the cells are fifty times as large.
+/// A step of Gauss-Newton smaller than this is the last: the cells are fifty times as large.
 constexpr double settled_m = 1e-3;
 constexpr double settled_rad = 5e-4;
 
@@ -161,23 +161,26 @@ ScanMatch ScanMatcher::evaluate(const OccupancyGrid& grid, const MatchPoints& po
     return match;
 }
 
+/// The last step is too small to judge the scan anew: score, information and likelihood are those before it. Not taking
+/// it would leave every pose a little towards its prediction, which adds up over a run.
 ScanMatch ScanMatcher::refine(const OccupancyGrid& grid, const MatchPoints& points, const Pose2& start,
                               const Pose2& predicted, const Eigen::Matrix3d& prior_information) {
     Pose2 pose = start;
-    for (int iteration = 1;; ++iteration) {
+    for (int iteration = 0; iteration < settings_.max_iterations; ++iteration) {
         find_residuals(grid, points, pose, 1);
         Normal normal = normal_equations(points, pose);
         const Eigen::Vector3d from_prediction(pose.x_m - predicted.x_m, pose.y_m - predicted.y_m,
                                               wrap_angle(pose.theta_rad - predicted.theta_rad));
         const Eigen::Matrix3d system = normal.match.information + prior_information;
         const Eigen::Vector3d step = -system.ldlt().solve(normal.gradient + prior_information * from_prediction);
-        const bool settled = step.head<2>().norm() < settled_m && std::abs(step.z()) < settled_rad;
-        if (settled || iteration >= settings_.max_iterations) {
-            normal.match.log_likelihood = log_likelihood(points, pose.theta_rad);
+        pose = {pose.x_m + step.x(), pose.y_m + step.y(), wrap_angle(pose.theta_rad + step.z())};
+        if (step.head<2>().norm() < settled_m && std::abs(step.z()) < settled_rad) {
+            normal.match.log_likelihood = log_likelihood(points, normal.match.pose.theta_rad);
+            normal.match.pose = pose;
             return normal.match;
         }
-        pose = {pose.x_m + step.x(), pose.y_m + step.y(), wrap_angle(pose.theta_rad + step.z())};
     }
+    return evaluate(grid, points, pose);
 }
 
 Pose2 ScanMatcher::search(const OccupancyGrid& grid, const MatchPoints& points, const Pose2& start) {
