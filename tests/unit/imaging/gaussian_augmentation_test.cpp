@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -35,7 +36,7 @@ TEST(GaussianAugmentation, MarksMoreWhereParticlesOverlap) {
 }
 
 TEST(GaussianAugmentation, NeverUnmarksHoweverManyOverlap) {
-    for (const std::size_t particles : std::initializer_list<std::size_t>{100, 2048, 4096, 100'000}) {
+    for (const std::size_t particles : std::array<std::size_t, 4>{100, 2048, 4096, 100'000}) {
         EXPECT_EQ(marked_by(particles), 25) << particles << " particles";
     }
 }

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -61,7 +62,7 @@ Particles shifted(const Particles& particles, double x_m, double y_m) {
     });
 }
 
-/// On a lattice of 2^-10 m, on which sums up to 2^43 m are exact and pixel borders are hit often.
+/// On a lattice of 2^-10 m, on which sums up to 2^43 m (9e15 steps) are exact and pixel borders are hit often.
 Particles on_a_lattice(const Particles& particles) {
     return transformed(particles, [](Pose2& place) {
         place.x_m = std::round(place.x_m * 1024.0) / 1024.0;
@@ -88,7 +89,7 @@ TEST(ParticleRenderer, IsExactForShiftsThatAre) {
         RandomStream random({seed, 1});
         const Particles here = on_a_lattice(wide_swarm(seed));
         const double x_m = std::round(random.uniform(-1e8, 1e8)) / 1024.0;
-        const double y_m = std::round(random.uniform(-1e15, 1e15)) / 1024.0;
+        const double y_m = std::round(random.uniform(5e15, 8e15)) / 1024.0;
         EXPECT_EQ(render(shifted(here, x_m, y_m), pixels_on_the_lattice), render(here, pixels_on_the_lattice));
     }
 }
@@ -187,7 +188,7 @@ TEST(ParticleRenderer, WritesNothingBesideTheImageForAnyInput) {
     constexpr std::size_t guard = 1000;
     constexpr std::uint8_t untouched = 77;
     for (ImageSettings settings : every_way()) {
-        for (const std::size_t size_px : std::initializer_list<std::size_t>{1, 3, 224}) {
+        for (const std::size_t size_px : std::array<std::size_t, 3>{1, 3, 224}) {
             settings.size_px = size_px;
             ParticleRenderer renderer(settings);
             for (const Particles& swarm : extreme_swarms()) {
