@@ -34,9 +34,9 @@ private:
     std::mutex mutex_;
     std::condition_variable start_;
     std::condition_variable finished_;
-    std::size_t round_ = 0;
-    std::size_t busy_ = 0;
-    bool stop_ = false;
+    std::atomic<std::size_t> round_ = 0;
+    std::atomic<std::size_t> busy_ = 0;
+    std::atomic<bool> stop_ = false;
     std::atomic<std::size_t> next_ = 0;
     std::size_t count_ = 0;
     const std::function<void(std::size_t, std::size_t)>* body_ = nullptr;
