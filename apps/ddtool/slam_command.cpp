@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <iostream>
+#include <optional>
 
 #include "base/interrupt.hpp"
 #include "base/log.hpp"
@@ -10,6 +11,7 @@
 #include "log_options.hpp"
 #include "results/run_folder.hpp"
 #include "results/run_report.hpp"
+#include "slam/scan_odometry.hpp"
 #include "slam/settings_json.hpp"
 #include "slam_report.hpp"
 
@@ -24,6 +26,21 @@ void check_method(const std::string& method) {
     }
 }
 
+/// The scans with what is known of the robot's motion: the log's own odometry, or one made of the scans.
+class DrivenScans {
+public:
+    DrivenScans(LogStream& log, const RbpfSettings& settings) : log_(log) {
+        if (!log.summary().has_odometry) {
+            from_scans_.emplace(log, settings);
+        }
+    }
+    [[nodiscard]] SensorStream& frames() { return from_scans_ ? static_cast<SensorStream&>(*from_scans_) : log_; }
+
+private:
+    LogStream& log_;
+    std::optional<ScanOdometryStream> from_scans_;
+};
+
 /// The filter's particles live in here only, so that their memory can be given back before the pictures are drawn.
 FilterRun run_over(LogStream& log, const RbpfSettings& settings, std::size_t thread_count,
                    const InterruptRequest& interrupt, RunFolder& folder) {
@@ -31,7 +48,8 @@ FilterRun run_over(LogStream& log, const RbpfSettings& settings, std::size_t thr
     Rbpf filter(settings, threads);
     folder.record_snapshots_of(filter);
     Progress progress("slam", "scans");
-    return run_filter(log, filter, [&](const SensorFrame& frame, bool moved) {
+    DrivenScans scans(log, settings);
+    return run_filter(scans.frames(), filter, [&](const SensorFrame& frame, bool moved) {
         if (moved) {
             folder.add(frame, filter);
         }
@@ -40,17 +58,17 @@ FilterRun run_over(LogStream& log, const RbpfSettings& settings, std::size_t thr
     });
 }
 
-/// Whether less was used than the log holds, other than for damage.
+/// Whether less was used or there than a run needs, other than for damage.
 bool warn_of_loss(const std::string& file, const LogSummary& log, const InterruptRequest& interrupt,
                   const FilterRun& run) {
     if (interrupt.made()) {
         log_warning("interrupted: the results end after scan " + std::to_string(run.trajectory.size()));
     }
-    if (log.odom_topic.empty()) {
-        log_warning(file + ": no odometry, by which the filter knows that the robot has moved: only the first of " +
-                    std::to_string(run.trajectory.size()) + " scans was used");
+    if (!log.has_odometry) {
+        log_warning(file +
+                    ": no odometry: the motion was worked out from the scans, which fails where they look alike");
     }
-    return interrupt.made() || log.odom_topic.empty();
+    return interrupt.made() || !log.has_odometry;
 }
 
 Json cost_report(std::size_t threads, Clock::time_point start) {

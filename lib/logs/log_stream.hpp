@@ -26,7 +26,8 @@ struct LogOptions {
 struct LogSummary {
     std::string format;
     std::string scan_topic;
-    std::string odom_topic;                ///< empty: none, odom_from_robot is the identity
+    std::string odom_topic;                ///< empty: none
+    bool has_odometry = true;              ///< known from the start; false: odom_from_robot is the identity
     std::string ground_truth_topic;        ///< empty: none
     std::size_t scans = 0;                 ///< frames given out
     std::size_t odometry = 0;              ///< odometry poses read

@@ -24,6 +24,7 @@ MessageLogStream::MessageLogStream(const OpenSource& open, std::string format, s
     summary_.format = std::move(format);
     summary_.scan_topic = plan_.scan_topic;
     summary_.odom_topic = plan_.odom_topic;
+    summary_.has_odometry = !plan_.odom_topic.empty();
     summary_.ground_truth_topic = plan_.ground_truth_topic;
     summary_.assumptions = plan_.assumptions;
 }
