@@ -16,12 +16,10 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-std::string this_program() { return versions().front().name + " " + versions().front().number; }
-
 /// Results of another build may differ from what this one would compute.
 void warn_of_other_builds(const std::vector<compare::CellResult>& results) {
     const auto others = std::count_if(results.begin(), results.end(), [](const compare::CellResult& result) {
-        return result.failure.empty() && result.program != this_program();
+        return result.failure.empty() && result.program != program_version();
     });
     if (others > 0) {
         log_warning(std::to_string(others) + " of " + std::to_string(results.size()) +
@@ -66,7 +64,7 @@ ExitCode CompareCommand::run(const Json& settings) {
     const std::vector<compare::Cell> cells = compare::cells_of(experiment);
     compare::ResultStore store(folder_);
     ThreadPool threads(threads_);
-    const auto [results, computed] = compare::run_cells(experiment, cells, store, threads, this_program());
+    const auto [results, computed] = compare::run_cells(experiment, cells, store, threads, program_version());
     log_info("drawing");
     const std::vector<compare::Picture> pictures =
         compare::draw_worlds(folder_, experiment, cells, results, store, threads);

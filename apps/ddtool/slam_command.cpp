@@ -2,7 +2,6 @@
 
 #include <chrono>
 #include <iostream>
-#include <optional>
 
 #include "base/interrupt.hpp"
 #include "base/log.hpp"
@@ -11,7 +10,7 @@
 #include "log_options.hpp"
 #include "results/run_folder.hpp"
 #include "results/run_report.hpp"
-#include "slam/scan_odometry.hpp"
+#include "slam/driven_scans.hpp"
 #include "slam/settings_json.hpp"
 #include "slam_report.hpp"
 
@@ -25,21 +24,6 @@ void check_method(const std::string& method) {
         throw UsageError("method: expected gmapping, not '" + method + "'");
     }
 }
-
-/// The scans with what is known of the robot's motion: the log's own odometry, or one made of the scans.
-class DrivenScans {
-public:
-    DrivenScans(LogStream& log, const RbpfSettings& settings) : log_(log) {
-        if (!log.summary().has_odometry) {
-            from_scans_.emplace(log, settings);
-        }
-    }
-    [[nodiscard]] SensorStream& frames() { return from_scans_ ? static_cast<SensorStream&>(*from_scans_) : log_; }
-
-private:
-    LogStream& log_;
-    std::optional<ScanOdometryStream> from_scans_;
-};
 
 /// The filter's particles live in here only, so that their memory can be given back before the pictures are drawn.
 FilterRun run_over(LogStream& log, const RbpfSettings& settings, std::size_t thread_count,

@@ -58,6 +58,8 @@ std::vector<Version> versions() {
             {"zstd", ZSTD_versionString()}};
 }
 
+std::string program_version() { return versions().front().name + " " + versions().front().number; }
+
 std::string version_text() {
     std::string text;
     for (const auto& [name, number] : versions()) {

@@ -1,5 +1,7 @@
 #include "base/task_progress.hpp"
 
+#include <algorithm>
+
 #include "base/log.hpp"
 
 namespace ddtool {
@@ -15,7 +17,7 @@ void TaskProgress::finish(std::size_t task, const std::string& title, const std:
     set(task, 1.0);
     ++finished_;
     const double elapsed_s = std::chrono::duration<double>(Progress::Clock::now() - start_).count();
-    const double left_s = elapsed_s * (1.0 - fraction()) / fraction();
+    const double left_s = std::max(0.0, elapsed_s * (1.0 - fraction()) / fraction());  // the sum of shares is rounded
     log_info(title + ": " + note + "; " + count() + ", " + format_duration(left_s) + " left");
 }
 

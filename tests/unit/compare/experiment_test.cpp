@@ -27,7 +27,7 @@ protected:
     }
 
     TemporaryFolder folder_;
-    Json settings_ = test::tiny_settings(test::write_tiny_world(folder_ / "tiny.json"));
+    Json settings_ = test::tiny_settings(ddtool::test::write_tiny_world(folder_ / "tiny.json"));
 };
 
 TEST_F(ExperimentTest, HasACellForEveryWorldMethodAndSeed) {
@@ -86,7 +86,7 @@ TEST_F(ExperimentTest, EverythingThatDecidesTheDataChangesAllIds) {
     other_score["score"]["align"] = "none";
     const auto with_lidar = ids(other_lidar);
     const auto with_score = ids(other_score);
-    test::write_tiny_world(folder_ / "tiny.json", 1.9);
+    ddtool::test::write_tiny_world(folder_ / "tiny.json", 1.9);
     const auto with_world = ids(settings_);
     for (std::size_t index = 0; index < before.size(); ++index) {
         EXPECT_EQ((std::set{before[index], with_lidar[index], with_score[index], with_world[index]}).size(), 4U);

@@ -30,7 +30,7 @@ protected:
     }
 
     TemporaryFolder folder_;
-    Json settings_ = test::tiny_settings(test::write_tiny_world(folder_ / "tiny.json"));
+    Json settings_ = test::tiny_settings(ddtool::test::write_tiny_world(folder_ / "tiny.json"));
 };
 
 TEST_F(ResumeTest, ComputesNothingTheSecondTime) {

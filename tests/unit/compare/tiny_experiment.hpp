@@ -1,24 +1,13 @@
 #pragma once
 
 #include <filesystem>
-#include <fstream>
 #include <string>
 
 #include "compare/experiment.hpp"
 #include "compare/runner.hpp"
+#include "tiny_world.hpp"
 
 namespace ddtool::compare::test {
-
-/// A room of 4 x 4 m and one metre of way: a simulated run takes milliseconds.
-inline std::string write_tiny_world(const std::filesystem::path& file, double far_wall_m = 2.0) {
-    const Json world{{"name", "tiny"},
-                     {"description", "a room"},
-                     {"start", {-0.5, 0.0, 0.0}},
-                     {"way_points", {{0.5, 0.0}}},
-                     {"walls", {{{-2, -2}, {far_wall_m, -2}, {2, 2}, {-2, 2}, {-2, -2}}}}};
-    std::ofstream(file) << world;
-    return file.string();
-}
 
 /// Odometry and a filter of two particles on that world, with a lidar of few beams.
 inline Json tiny_settings(const std::string& world_file) {
