@@ -37,8 +37,9 @@ struct SampleRecord {
     std::uint64_t first_particle = 0;  ///< row in the particles of the same shard
     Pose2 odometry_motion;             ///< since the last update, in the robot's previous frame
     Pose2 true_pose;                   ///< world_from_robot
-    /// About (x, y, theta) in the robot's frame: xx, xy, xt, yy, yt, tt in 1/m^2, 1/m and 1.
+    /// About (x, y, theta) in the robot's frame: xx, xy, xt, yy, yt, tt in 1/m^2, 1/m and 1; of the scan alone.
     std::array<double, 6> information{};
+    double range_sd_m = 0.0;          ///< of a range of the scan's median length
     double weak_sd_m = 0.0;           ///< Cramer-Rao bound along the weakest direction
     double weak_direction_rad = 0.0;  ///< in the robot's frame
     double strong_sd_m = 0.0;         ///< along the strongest direction
@@ -54,7 +55,7 @@ struct SampleRecord {
     [[nodiscard]] Label label_of(LabelRule rule) const { return label[index_of(rule)]; }
     [[nodiscard]] Part part_of(LabelRule rule, Split split) const { return part[index_of(rule)][index_of(split)]; }
 };
-static_assert(sizeof(SampleRecord) == 208 && sizeof(SnapshotParticle) == 13 * sizeof(double),
+static_assert(sizeof(SampleRecord) == 216 && sizeof(SnapshotParticle) == 13 * sizeof(double),
               "the layouts are those of the files");
 
 /// dtypes of the two files of a shard.

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "dataset/part_runner.hpp"
+
+namespace ddtool::dataset {
+
+/// Labels the samples of the parts, chooses and splits them, and writes shards and manifest into the folder, where an
+/// older data set is replaced. The labels' rules apply here, so that another threshold needs no run again. Memory grows
+/// with 216 bytes a candidate, not with the particles. Gives back the manifest. Throws Error.
+Manifest assemble(const std::filesystem::path& folder, const Json& settings, const RunPlan& plan,
+                  const std::vector<RunResult>& results, const std::string& program);
+
+}  // namespace ddtool::dataset

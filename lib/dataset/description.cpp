@@ -1,0 +1,173 @@
+#include "dataset/description.hpp"
+
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <map>
+#include <tuple>
+
+#include "eval/ranks.hpp"
+
+namespace ddtool::dataset {
+namespace {
+
+constexpr std::array<const char*, 4> weight_names{"accumulated", "increment", "match score", "weight"};
+
+/// How many samples have which label.
+struct LabelCounts {
+    std::int64_t samples = 0;
+    std::array<std::int64_t, 2> degenerate{};  ///< by rule
+    std::array<std::int64_t, 2> unknown{};
+
+    void add(const SampleRecord& sample) {
+        ++samples;
+        for (std::size_t rule = 0; rule < degenerate.size(); ++rule) {
+            degenerate[rule] += sample.label[rule] == Label::degenerate ? 1 : 0;
+            unknown[rule] += sample.label[rule] == Label::unknown ? 1 : 0;
+        }
+    }
+
+    [[nodiscard]] double share(LabelRule rule) const {
+        const std::int64_t known = samples - unknown[index_of(rule)];
+        return known == 0 ? std::numeric_limits<double>::quiet_NaN()
+                          : static_cast<double>(degenerate[index_of(rule)]) / static_cast<double>(known);
+    }
+};
+
+/// A number as text that sorts like the number.
+struct GroupKey {
+    double number = 0.0;
+    std::string text;
+    bool operator<(const GroupKey& other) const { return std::tie(number, text) < std::tie(other.number, other.text); }
+};
+
+GroupKey numeric(double number, std::string text) { return {number, std::move(text)}; }
+
+struct Grouping {
+    const char* name;
+    std::function<GroupKey(const RunEntry&)> key;
+};
+
+std::string or_dash(const std::string& text) { return text.empty() ? "-" : text; }
+
+std::string short_number(double number) {
+    std::string text = std::to_string(number);
+    text.erase(text.find_last_not_of('0') + 1);
+    return text.ends_with('.') ? text + "0" : text;
+}
+
+const std::vector<Grouping>& groupings() {
+    static const std::vector<Grouping> all{
+        {"scene",
+         [](const RunEntry& run) {
+             return GroupKey{0.0, scene_family(run)};
+         }},
+        {"lidar",
+         [](const RunEntry& run) {
+             return GroupKey{0.0, or_dash(run.lidar)};
+         }},
+        {"odometry",
+         [](const RunEntry& run) {
+             return GroupKey{0.0, or_dash(run.odometry)};
+         }},
+        {"update distance [m]",
+         [](const RunEntry& run) { return numeric(run.update_distance_m, short_number(run.update_distance_m)); }},
+    };
+    return all;
+}
+
+void add_rows(Table& table, const char* name, const std::map<GroupKey, LabelCounts>& groups) {
+    for (const auto& [key, counts] : groups) {
+        table.add_row({std::string(name), key.text, counts.samples, counts.share(LabelRule::dispersion),
+                       counts.share(LabelRule::fisher)});
+    }
+}
+
+/// Samples whose physical ratio is known, as columns.
+struct LabelledPairs {
+    std::vector<bool> degenerate;  ///< by the physics
+    std::vector<double> ratio;
+    std::array<std::vector<double>, weight_names.size()> dispersion;
+    std::int64_t labelled = 0;  ///< with both labels
+    std::int64_t same = 0;
+
+    void add(const SampleRecord& sample) {
+        degenerate.push_back(sample.label_of(LabelRule::fisher) == Label::degenerate);
+        ratio.push_back(physical_ratio(sample));
+        for (std::size_t weight = 0; weight < dispersion.size(); ++weight) {
+            dispersion[weight].push_back(sample.dispersion[weight]);
+        }
+        labelled += sample.label_of(LabelRule::fisher) != Label::unknown ? 1 : 0;
+        same += sample.label[0] == sample.label[1] ? 1 : 0;
+    }
+};
+
+}  // namespace
+
+std::string scene_family(const RunEntry& run) {
+    const bool drawn = run.scene.starts_with("random:");
+    return drawn ? run.scene.substr(0, run.scene.rfind(':')) : run.scene;
+}
+
+double physical_ratio(const SampleRecord& sample) { return sample.weak_sd_m / sample.odometry_sd_m; }
+
+Table class_table(const Json& counts) {
+    Table table({{"label"}, {"split"}, {"part"}, {class_names[1]}, {class_names[0]}});
+    for (const auto& [rule, of_rule] : counts.items()) {
+        for (const char* split : split_names) {
+            for (const auto& [part, by_class] : of_rule.at(split).items()) {
+                table.add_row({rule, std::string(split), part, by_class.at(class_names[1]).get<std::int64_t>(),
+                               by_class.at(class_names[0]).get<std::int64_t>()});
+            }
+        }
+    }
+    return table;
+}
+
+Table group_table(const Dataset& data) {
+    std::vector<std::map<GroupKey, LabelCounts>> groups(groupings().size());
+    std::map<GroupKey, LabelCounts> by_particles;
+    for (std::size_t index = 0; index < data.size(); ++index) {
+        const SampleRecord& sample = data.sample(index);
+        for (std::size_t grouping = 0; grouping < groups.size(); ++grouping) {
+            groups[grouping][groupings()[grouping].key(data.run_of(sample))].add(sample);
+        }
+        by_particles[numeric(sample.particle_count, std::to_string(sample.particle_count))].add(sample);
+    }
+    Table table({{"by"}, {"value"}, {"samples"}, {"degenerate: dispersion", 2}, {"degenerate: fisher", 2}});
+    for (std::size_t grouping = 0; grouping < groups.size(); ++grouping) {
+        add_rows(table, groupings()[grouping].name, groups[grouping]);
+    }
+    add_rows(table, "particles", by_particles);
+    return table;
+}
+
+Table agreement_table(const Dataset& data) {
+    std::map<std::string, LabelledPairs> by_kind;
+    for (std::size_t index = 0; index < data.size(); ++index) {
+        const SampleRecord& sample = data.sample(index);
+        if (!std::isnan(physical_ratio(sample))) {
+            by_kind[data.manifest().sources[sample.source].kind].add(sample);
+        }
+    }
+    Table table({{"source"}, {"samples"}, {"accuracy"}, {"R over"}, {"AUC"}, {"rank correlation"}});
+    for (const auto& [kind, pairs] : by_kind) {
+        const auto count = static_cast<std::int64_t>(pairs.ratio.size());
+        const double accuracy = static_cast<double>(pairs.same) / static_cast<double>(pairs.labelled);
+        for (std::size_t weight = 0; weight < weight_names.size(); ++weight) {
+            table.add_row({kind, count, accuracy, std::string(weight_names[weight]),
+                           roc_auc(pairs.dispersion[weight], pairs.degenerate),
+                           rank_correlation(pairs.dispersion[weight], pairs.ratio)});
+        }
+    }
+    return table;
+}
+
+Json description_json(const Dataset& data) {
+    return {{"samples", data.size()},
+            {"counts", data.manifest().counts},
+            {"groups", group_table(data).json()},
+            {"agreement", agreement_table(data).json()}};
+}
+
+}  // namespace ddtool::dataset

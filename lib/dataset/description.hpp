@@ -1,0 +1,30 @@
+#pragma once
+
+#include "dataset/dataset.hpp"
+#include "eval/table.hpp"
+
+namespace ddtool::dataset {
+
+/// Samples of each class in the parts of each split, by label rule.
+Table class_table(const Json& counts);
+
+/// Samples and shares of degenerate ones by family of scenes, particle count, lidar, odometry and update distance.
+Table group_table(const Dataset& data);
+
+/// How well the dispersion tells the physics: over simulated worlds, over logs, and, for each weight that R can be
+/// taken over, the area under the ROC curve of R for the label `fisher` and the rank correlation of R with the physical
+/// ratio. `accuracy` is the share of samples whose two labels are the same. Logs have no label `fisher`, hence only the
+/// correlation.
+Table agreement_table(const Dataset& data);
+
+/// The tables for machines.
+Json description_json(const Dataset& data);
+
+/// The scene's name; all drawn worlds of a kind are one family, such as random:office.
+std::string scene_family(const RunEntry& run);
+
+/// Standard deviation that the scan leaves along the weakest direction over that of the odometry. Infinite where
+/// nothing holds the pose, NaN where unknown.
+double physical_ratio(const SampleRecord& sample);
+
+}  // namespace ddtool::dataset

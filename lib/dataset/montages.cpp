@@ -1,0 +1,73 @@
+#include "dataset/montages.hpp"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <opencv2/core.hpp>
+
+#include "base/folder.hpp"
+#include "base/png_file.hpp"
+#include "dataset/description.hpp"
+#include "imaging/particle_renderer.hpp"
+#include "plot/montage.hpp"
+
+namespace ddtool::dataset {
+namespace {
+
+constexpr std::size_t tiles = 6;  ///< of a class in a row
+constexpr double tile_px = 112.0;
+
+using Indices = std::vector<std::size_t>;
+using ByClass = std::array<Indices, 2>;
+
+/// Used samples of both classes, family by family.
+std::map<std::string, ByClass> used_samples(const Dataset& data, LabelRule rule) {
+    std::map<std::string, ByClass> families;
+    for (std::size_t index = 0; index < data.size(); ++index) {
+        const SampleRecord& sample = data.sample(index);
+        if (sample.part_of(rule, Split::paper) != Part::unused) {
+            families[scene_family(data.run_of(sample))][index_of(sample.label_of(rule))].push_back(index);
+        }
+    }
+    return families;
+}
+
+std::vector<cv::Mat> drawn(const Dataset& data, const Indices& samples, ParticleRenderer& renderer) {
+    std::vector<cv::Mat> pictures;
+    const auto size_px = static_cast<int>(renderer.settings().size_px);
+    for (std::size_t tile = 0; tile < std::min(tiles, samples.size()); ++tile) {
+        cv::Mat1b picture(size_px, size_px);
+        const std::size_t sample = samples[tile * samples.size() / std::min(tiles, samples.size())];
+        renderer.render(data.particles(sample), std::span<std::uint8_t>(picture.data, picture.total()));
+        pictures.push_back(picture);
+    }
+    return pictures;
+}
+
+void draw_montage(const std::filesystem::path& file, const Dataset& data, LabelRule rule,
+                  const ImageSettings& settings) {
+    ParticleRenderer renderer(settings);
+    std::vector<plot::MontageRow> rows;
+    for (const auto& [family, samples] : used_samples(data, rule)) {
+        rows.push_back({family, {drawn(data, samples[1], renderer), drawn(data, samples[0], renderer)}});
+    }
+    const cv::Mat3b page = plot::montage({class_names[1], class_names[0]}, rows, tile_px);
+    write_png(file, {static_cast<std::size_t>(page.cols), static_cast<std::size_t>(page.rows), 3,
+                     std::span<const std::uint8_t>(page.data, page.total() * 3)});
+}
+
+}  // namespace
+
+void draw_montages(const std::filesystem::path& folder, const Dataset& data, const ImageSettings& settings) {
+    made_folder(folder);
+    for (const LabelRule rule : {LabelRule::dispersion, LabelRule::fisher}) {
+        for (const auto& [swarm, name] : {std::pair(Swarm::absolute, "absolute"), std::pair(Swarm::step, "step")}) {
+            ImageSettings of_swarm = settings;
+            of_swarm.swarm = swarm;
+            draw_montage(folder / (std::string("montage-") + label_rule_names[index_of(rule)] + "-" + name + ".png"),
+                         data, rule, of_swarm);
+        }
+    }
+}
+
+}  // namespace ddtool::dataset

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <vector>
+
+#include "dataset/build_settings.hpp"
+#include "dataset/sample_record.hpp"
+
+namespace ddtool::dataset {
+
+/// A sample before it is stored.
+struct Sample {
+    SampleRecord record;
+    std::vector<SnapshotParticle> particles;
+};
+
+/// Keeps some of the snapshots of a run, chosen by chance: one of `every` in a row, and of these at most
+/// `most_per_run`, any of them with the same probability. Holds no more than that many, however long the run is.
+class SnapshotThinning {
+public:
+    /// The same key makes the same choice.
+    SnapshotThinning(const ThinningSettings& settings, std::uint64_t key) : settings_(settings), key_(key) {}
+
+    /// The next snapshot; asks for its sample only if it is kept.
+    void offer(const std::function<Sample()>& make);
+    [[nodiscard]] std::uint64_t offered() const { return offered_; }
+    /// What was kept, in the order offered.
+    [[nodiscard]] std::vector<Sample> take();
+
+private:
+    struct Kept {
+        std::uint64_t position = 0;
+        Sample sample;
+    };
+
+    ThinningSettings settings_;
+    std::uint64_t key_;
+    std::uint64_t offered_ = 0;
+    std::map<std::uint64_t, Kept> kept_;  ///< by a random number; the smallest stay
+};
+
+}  // namespace ddtool::dataset
