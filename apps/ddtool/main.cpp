@@ -2,8 +2,10 @@
 #include <memory>
 
 #include "base/log.hpp"
+#include "build_dataset_command.hpp"
 #include "compare_command.hpp"
 #include "convert_command.hpp"
+#include "dataset_command.hpp"
 #include "program.hpp"
 #include "score_command.hpp"
 #include "simulate_command.hpp"
@@ -14,8 +16,10 @@ namespace {
 
 CommandTable all_commands() {
     CommandTable table;
+    table.push_back(std::make_unique<BuildDatasetCommand>());
     table.push_back(std::make_unique<CompareCommand>());
     table.push_back(std::make_unique<ConvertCommand>());
+    table.push_back(std::make_unique<DatasetCommand>());
     table.push_back(std::make_unique<ScoreCommand>());
     table.push_back(std::make_unique<SimulateCommand>());
     table.push_back(std::make_unique<SlamCommand>());

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <filesystem>
+
+#include "dataset/dataset.hpp"
+#include "imaging/image_settings.hpp"
+
+namespace ddtool {
+
+/// Prints what is in a data set: tables, or JSON for machines.
+void print_dataset(const dataset::Dataset& data, bool as_json);
+
+/// Draws histograms of what the labels look at and montages of the images into the folder.
+void draw_dataset(const std::filesystem::path& folder, const dataset::Dataset& data, const ImageSettings& settings);
+
+}  // namespace ddtool
