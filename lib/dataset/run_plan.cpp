@@ -61,20 +61,34 @@ private:
     /// Items are names or objects; what an object does not say is as the whole configuration has it.
     void for_each_item(const std::string& list, const std::string& kind, const std::vector<std::string>& keys,
                        Add add) {
-        for (std::size_t index = 0; index < settings_.at(list).size(); ++index) {
-            const Json& item = settings_.at(list)[index];
-            const std::string where = std::string(list).append("[").append(std::to_string(index)).append("]");
-            Json known{{kind, ""}, {"scene", ""}};
-            for (const std::string& key : keys) {
-                known[key] = key == "seeds"        ? Json{{"first", 1U}, {"count", 1U}}
-                             : key == "range_sd_m" ? Json(0.02)
-                                                   : settings_.at(key);
-            }
-            merge_settings(known, item.is_string() ? Json{{kind, item}} : item, where);
-            if (known.at(kind).get<std::string>().empty()) {
-                throw UsageError(where + ": expected the name of a " + kind);
-            }
-            (this->*add)(known, where);
+        std::size_t index = 0;
+        for (const Json& item : settings_.at(list)) {
+            const std::string where = std::string(list).append("[").append(std::to_string(index++)).append("]");
+            Json settings = item_defaults(kind, keys);
+            merge_settings(settings, item.is_string() ? Json{{kind, item}} : item, where);
+            expect_named(settings, kind, where);
+            (this->*add)(settings, where);
+        }
+    }
+
+    /// Of the keys that the whole configuration has too, its values.
+    [[nodiscard]] Json item_defaults(const std::string& kind, const std::vector<std::string>& keys) const {
+        Json defaults{{kind, ""}, {"scene", ""}};
+        for (const std::string& key : keys) {
+            defaults[key] = settings_.value(key, Json());
+        }
+        if (defaults.contains("seeds")) {
+            defaults["seeds"] = {{"first", 1U}, {"count", 1U}};
+        }
+        if (defaults.contains("range_sd_m")) {
+            defaults["range_sd_m"] = 0.02;
+        }
+        return defaults;
+    }
+
+    static void expect_named(const Json& item, const std::string& kind, const std::string& where) {
+        if (item.at(kind).get<std::string>().empty()) {
+            throw UsageError(where + ": expected the name of a " + kind);
         }
     }
 

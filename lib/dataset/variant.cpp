@@ -1,5 +1,7 @@
 #include "dataset/variant.hpp"
 
+#include <algorithm>
+
 #include "base/error.hpp"
 
 namespace ddtool::dataset {
@@ -12,10 +14,9 @@ const Json* drawn(const Json& list, RandomStream& random) {
 }
 
 void expect_each(const Json& list, const std::string& key, const std::string& expected, bool (*fits)(const Json&)) {
-    for (const Json& value : list) {
-        if (!fits(value)) {
-            throw UsageError(key + ": expected " + expected + ", not " + value.dump());
-        }
+    const auto wrong = std::find_if_not(list.begin(), list.end(), fits);
+    if (wrong != list.end()) {
+        throw UsageError(key + ": expected " + expected + ", not " + wrong->dump());
     }
 }
 
