@@ -38,6 +38,25 @@ bool all_equal(const std::int8_t* cells, int length, int value) {
     return differences == 0;
 }
 
+/// The first coordinate of the next patch.
+int next_patch(int cell) { return (cell | Patch::local_mask) + 1; }
+
+/// Lets the cells of a piece of one patch point at an occupied cell's mean where that is nearest.
+void spread_in(Patch& patch, const CellBox& piece, Cell occupied_cell, NearestPoint offset) {
+    for (int y = piece.y_min; y < piece.y_max; ++y) {
+        std::size_t local = Patch::local(piece.x_min, y);
+        for (int x = piece.x_min; x < piece.x_max; ++x, ++local) {
+            const NearestPoint present = patch.nearest[local];
+            const NearestPoint candidate = moved(offset, occupied_cell, {x, y});
+            // An occupied cell always points at its own mean: add_hit reads it there.
+            const bool nearer = patch.log_odds[local] <= 0 && squared_length(candidate) < squared_length(present);
+            if (nearer || present.none() || lies_in(present, {x, y}, occupied_cell)) {
+                patch.nearest[local] = candidate;
+            }
+        }
+    }
+}
+
 template <class Visit>
 void for_each_around(Cell centre, Visit&& visit) {
     for (int y = centre.y - OccupancyGrid::field_radius; y <= centre.y + OccupancyGrid::field_radius; ++y) {
@@ -107,23 +126,14 @@ void OccupancyGrid::add_hit(Cell cell, NearestPoint offset) {
     spread(cell, offset);
 }
 
-/// Row by row and patch by patch: this runs for every end point whose cell's mean moved.
+/// Patch by patch: this runs for every end point whose cell's mean moved.
 void OccupancyGrid::spread(Cell occupied_cell, NearestPoint offset) {
     const int x_end = occupied_cell.x + field_radius + 1;
-    for (int y = occupied_cell.y - field_radius; y <= occupied_cell.y + field_radius; ++y) {
-        for (int x = occupied_cell.x - field_radius; x < x_end;) {
-            const int piece_end = std::min(x_end, (x | Patch::local_mask) + 1);
-            Patch& patch = pointer_at({x, y}).writable();
-            std::size_t local = Patch::local(x, y);
-            for (; x < piece_end; ++x, ++local) {
-                const NearestPoint present = patch.nearest[local];
-                const NearestPoint candidate = moved(offset, occupied_cell, {x, y});
-                // An occupied cell always points at its own mean: add_hit reads it there.
-                const bool nearer = patch.log_odds[local] <= 0 && squared_length(candidate) < squared_length(present);
-                if (nearer || present.none() || lies_in(present, {x, y}, occupied_cell)) {
-                    patch.nearest[local] = candidate;
-                }
-            }
+    const int y_end = occupied_cell.y + field_radius + 1;
+    for (int y = occupied_cell.y - field_radius; y < y_end; y = next_patch(y)) {
+        for (int x = occupied_cell.x - field_radius; x < x_end; x = next_patch(x)) {
+            const CellBox piece{x, y, std::min(x_end, next_patch(x)), std::min(y_end, next_patch(y))};
+            spread_in(pointer_at({x, y}).writable(), piece, occupied_cell, offset);
         }
     }
     pointer_at(occupied_cell).writable().nearest[Patch::local(occupied_cell.x, occupied_cell.y)] = offset;
@@ -131,7 +141,7 @@ void OccupancyGrid::spread(Cell occupied_cell, NearestPoint offset) {
 
 void OccupancyGrid::add_free(int y, int x_begin, int x_end) {
     for (int x = x_begin; x < x_end;) {
-        const int piece_end = std::min(x_end, (x | Patch::local_mask) + 1);
+        const int piece_end = std::min(x_end, next_patch(x));
         const int length = piece_end - x;
         PatchPointer& patch = pointer_at({x, y});
         const std::size_t local = Patch::local(x, y);
