@@ -4,14 +4,45 @@
 #include <functional>
 #include <limits>
 #include <map>
+#include <span>
 #include <tuple>
+#include <vector>
 
 #include "eval/ranks.hpp"
+#include "particles/spread.hpp"
 
 namespace ddtool::dataset {
 namespace {
 
-constexpr std::array<const char*, 4> weight_names{"accumulated", "increment", "match score", "weight"};
+using Particles = std::span<const SnapshotParticle>;
+
+/// What might tell the physics.
+struct Measure {
+    const char* name;
+    std::function<double(const SampleRecord&, Particles)> value;
+};
+
+const std::vector<Measure>& measures() {
+    const auto dispersion = [](std::size_t weight) {
+        return [weight](const SampleRecord& sample, Particles) { return sample.dispersion[weight]; };
+    };
+    static const std::vector<Measure> all{
+        {"R, accumulated", dispersion(0)},
+        {"R, increment", dispersion(1)},
+        {"R, match score", dispersion(2)},
+        {"R, weight", dispersion(3)},
+        {"absolute swarm's spread",
+         [](const SampleRecord&, Particles swarm) { return spread_m(swarm, &SnapshotParticle::pose); }},
+        {"step swarm's spread",
+         [](const SampleRecord&, Particles swarm) { return spread_m(swarm, &SnapshotParticle::matched_motion); }},
+        {"step swarm's, of predicted",
+         [](const SampleRecord&, Particles swarm) {
+             const double predicted_m = spread_m(swarm, &SnapshotParticle::predicted_motion);
+             return predicted_m > 0.0 ? spread_m(swarm, &SnapshotParticle::matched_motion) / predicted_m : 0.0;
+         }},
+    };
+    return all;
+}
 
 /// How many samples have which label.
 struct LabelCounts {
@@ -87,15 +118,15 @@ void add_rows(Table& table, const char* name, const std::map<GroupKey, LabelCoun
 struct LabelledPairs {
     std::vector<bool> degenerate;  ///< by the physics
     std::vector<double> ratio;
-    std::array<std::vector<double>, weight_names.size()> dispersion;
+    std::vector<std::vector<double>> measured = std::vector<std::vector<double>>(measures().size());
     std::int64_t labelled = 0;  ///< with both labels
     std::int64_t same = 0;
 
-    void add(const SampleRecord& sample) {
+    void add(const SampleRecord& sample, Particles swarm) {
         degenerate.push_back(sample.label_of(LabelRule::fisher) == Label::degenerate);
         ratio.push_back(physical_ratio(sample));
-        for (std::size_t weight = 0; weight < dispersion.size(); ++weight) {
-            dispersion[weight].push_back(sample.dispersion[weight]);
+        for (std::size_t measure = 0; measure < measures().size(); ++measure) {
+            measured[measure].push_back(measures()[measure].value(sample, swarm));
         }
         labelled += sample.label_of(LabelRule::fisher) != Label::unknown ? 1 : 0;
         same += sample.label[0] == sample.label[1] ? 1 : 0;
@@ -147,17 +178,17 @@ Table agreement_table(const Dataset& data) {
     for (std::size_t index = 0; index < data.size(); ++index) {
         const SampleRecord& sample = data.sample(index);
         if (!std::isnan(physical_ratio(sample))) {
-            by_kind[data.manifest().sources[sample.source].kind].add(sample);
+            by_kind[data.manifest().sources[sample.source].kind].add(sample, data.particles(index));
         }
     }
-    Table table({{"source"}, {"samples"}, {"accuracy"}, {"R over"}, {"AUC"}, {"rank correlation"}});
+    Table table({{"source"}, {"samples"}, {"accuracy"}, {"measure"}, {"AUC"}, {"rank correlation"}});
     for (const auto& [kind, pairs] : by_kind) {
         const auto count = static_cast<std::int64_t>(pairs.ratio.size());
         const double accuracy = static_cast<double>(pairs.same) / static_cast<double>(pairs.labelled);
-        for (std::size_t weight = 0; weight < weight_names.size(); ++weight) {
-            table.add_row({kind, count, accuracy, std::string(weight_names[weight]),
-                           roc_auc(pairs.dispersion[weight], pairs.degenerate),
-                           rank_correlation(pairs.dispersion[weight], pairs.ratio)});
+        for (std::size_t measure = 0; measure < measures().size(); ++measure) {
+            table.add_row({kind, count, accuracy, std::string(measures()[measure].name),
+                           roc_auc(pairs.measured[measure], pairs.degenerate),
+                           rank_correlation(pairs.measured[measure], pairs.ratio)});
         }
     }
     return table;

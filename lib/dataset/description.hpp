@@ -11,9 +11,9 @@ Table class_table(const Json& counts);
 /// Samples and shares of degenerate ones by family of scenes, particle count, lidar, odometry and update distance.
 Table group_table(const Dataset& data);
 
-/// How well the dispersion tells the physics: over simulated worlds, over logs, and, for each weight that R can be
-/// taken over, the area under the ROC curve of R for the label `fisher` and the rank correlation of R with the physical
-/// ratio. `accuracy` is the share of samples whose two labels are the same. Logs have no label `fisher`, hence only the
+/// What tells the physics how well: over simulated worlds and over logs, for R over each weight and for the spreads of
+/// both swarms, the area under the ROC curve for the label `fisher` and the rank correlation with the physical ratio.
+/// `accuracy` is the share of samples whose two labels are the same. Logs have no label `fisher`, hence only the
 /// correlation.
 Table agreement_table(const Dataset& data);
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "particles/spread.hpp"
+
 namespace ddtool {
 namespace {
 
@@ -64,34 +66,12 @@ void coordinates(std::span<const SnapshotParticle> particles, Swarm swarm, std::
     }
 }
 
-double predicted_spread_m(std::span<const SnapshotParticle> particles) {
-    // Welford's update: one pass, no cancellation.
-    double count = 0.0;
-    double mean_x = 0.0, mean_y = 0.0;
-    double xx = 0.0, xy = 0.0, yy = 0.0;
-    for (const SnapshotParticle& particle : particles) {
-        const Pose2& motion = particle.predicted_motion;
-        if (!is_finite(motion.x_m, motion.y_m)) {
-            continue;
-        }
-        count += 1.0;
-        const double dx = motion.x_m - mean_x;
-        const double dy = motion.y_m - mean_y;
-        mean_x += dx / count;
-        mean_y += dy / count;
-        xx += dx * (motion.x_m - mean_x);
-        xy += dx * (motion.y_m - mean_y);
-        yy += dy * (motion.y_m - mean_y);
-    }
-    const double largest_eigenvalue = (xx + yy) / 2.0 + std::hypot((xx - yy) / 2.0, xy);
-    return count < 2.0 ? 0.0 : std::sqrt(largest_eigenvalue / (count - 1.0));
-}
-
 double canvas_side_m(std::span<const SnapshotParticle> particles, const ImageSettings& settings) {
     if (settings.swarm == Swarm::absolute) {
         return settings.canvas_m;
     }
-    return std::max(settings.step_canvas_min_m, settings.step_canvas_spreads * predicted_spread_m(particles));
+    return std::max(settings.step_canvas_min_m,
+                    settings.step_canvas_spreads * spread_m(particles, &SnapshotParticle::predicted_motion));
 }
 
 void map_to_pixels(std::span<const Point2> points, double canvas_m, const ImageSettings& settings,

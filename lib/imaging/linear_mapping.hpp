@@ -40,10 +40,6 @@ private:
 /// The x and y that the settings' swarm gives each particle; those with one that is not finite are left out.
 void coordinates(std::span<const SnapshotParticle> particles, Swarm swarm, std::vector<Point2>& points);
 
-/// Standard deviation of the predicted motions along their major axis, metres: what odometry alone leaves open in this
-/// step. 0 for fewer than two particles.
-double predicted_spread_m(std::span<const SnapshotParticle> particles);
-
 /// The side of the canvas on which the settings draw this swarm, metres.
 double canvas_side_m(std::span<const SnapshotParticle> particles, const ImageSettings& settings);
 

@@ -7,7 +7,7 @@
 #include <cstdio>
 
 #include "base/thread_pool.hpp"
-#include "imaging/linear_mapping.hpp"
+#include "particles/spread.hpp"
 #include "sim/simulated_stream.hpp"
 #include "sim/world_catalogue.hpp"
 #include "slam/rbpf.hpp"
@@ -25,13 +25,6 @@ double median(std::vector<double> values) {
     return values[values.size() / 2];
 }
 
-std::vector<SnapshotParticle> with_matches_as_predictions(std::vector<SnapshotParticle> particles) {
-    for (SnapshotParticle& particle : particles) {
-        particle.predicted_motion = particle.matched_motion;
-    }
-    return particles;
-}
-
 /// Of the steps of the first minute in a world.
 Spreads step_spreads(const std::string& world, double update_distance_m) {
     ThreadPool threads(1);
@@ -41,8 +34,8 @@ Spreads step_spreads(const std::string& world, double update_distance_m) {
     std::vector<double> predicted;
     std::vector<double> matched;
     filter.on_snapshot([&](const ParticleSnapshot& snapshot, const Degeneracy&) {
-        predicted.push_back(predicted_spread_m(snapshot.particles));
-        matched.push_back(predicted_spread_m(with_matches_as_predictions(snapshot.particles)));
+        predicted.push_back(spread_m(snapshot.particles, &SnapshotParticle::predicted_motion));
+        matched.push_back(spread_m(snapshot.particles, &SnapshotParticle::matched_motion));
     });
     sim::SimulatedStream stream(sim::load_world(world), {});
     for (int scan = 0; scan < 720; ++scan) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "particles/spread.hpp"
 #include "swarms.hpp"
 
 namespace ddtool {
@@ -105,34 +106,11 @@ TEST(Coordinates, LeaveOutWhatIsNotFinite) {
     EXPECT_EQ(points, (std::vector<Point2>{{1.0, 2.0}, {3.0, 4.0}}));
 }
 
-std::vector<SnapshotParticle> turned_predictions(std::vector<SnapshotParticle> particles, double turn_rad) {
-    for (SnapshotParticle& particle : particles) {
-        particle.predicted_motion = Pose2{20.0, -30.0, turn_rad} * particle.predicted_motion;
-    }
-    return particles;
-}
-
-TEST(PredictedSpread, IsThatOfTheMajorAxisInAnyDirection) {
-    constexpr std::size_t count = 20'000;
-    const std::vector<SnapshotParticle> swarm = test::normal_swarm(count, 6, {}, 0.1);
-    const double spread_m = predicted_spread_m(swarm);
-    EXPECT_NEAR(spread_m, 0.1, 5.0 * 0.1 / std::sqrt(2.0 * count)) << "five standard errors";
-    for (const double turn_rad : {0.7, 1.6, -2.9}) {
-        EXPECT_NEAR(predicted_spread_m(turned_predictions(swarm, turn_rad)), spread_m, 1e-9);
-    }
-}
-
-TEST(PredictedSpread, IsZeroWhereNothingSpreads) {
-    EXPECT_EQ(predicted_spread_m({}), 0.0);
-    EXPECT_EQ(predicted_spread_m(test::normal_swarm(1, 1, {})), 0.0);
-    EXPECT_EQ(predicted_spread_m(std::vector<SnapshotParticle>(30)), 0.0);
-}
-
 TEST(CanvasSide, FollowsThePredictionForTheStepSwarmAlone) {
     const std::vector<SnapshotParticle> swarm = test::normal_swarm(100, 7, {});
-    const double spread_m = predicted_spread_m(swarm);
+    const double predicted_m = spread_m(swarm, &SnapshotParticle::predicted_motion);
     EXPECT_EQ(canvas_side_m(swarm, {}), 10.0);
-    EXPECT_EQ(canvas_side_m(swarm, {.swarm = Swarm::step, .step_canvas_spreads = 6.0}), 6.0 * spread_m);
+    EXPECT_EQ(canvas_side_m(swarm, {.swarm = Swarm::step, .step_canvas_spreads = 6.0}), 6.0 * predicted_m);
     EXPECT_EQ(canvas_side_m({}, {.swarm = Swarm::step}), 0.1) << "nothing predicted";
     EXPECT_EQ(canvas_side_m(swarm, {.swarm = Swarm::step, .step_canvas_spreads = 0.0, .step_canvas_min_m = 1.0}), 1.0);
 }
