@@ -15,20 +15,6 @@ namespace {
 /// Raised when results of before can no longer be compared with new ones.
 constexpr int format = 1;
 
-/// World and seed come from the experiment's lists.
-Json simulation_defaults() {
-    Json simulation = sim::default_simulation_json();
-    simulation.erase("world");
-    simulation.erase("seed");
-    return simulation;
-}
-
-Json filter_defaults() {
-    Json filter = filter_settings_json(RbpfSettings{});
-    filter.erase("seed");
-    return filter;
-}
-
 template <typename Entry>
 std::vector<Entry> entries_from(const Json& settings, const std::string& list, const std::string& common) {
     std::vector<Entry> entries;
@@ -89,8 +75,8 @@ Json default_experiment_json() {
             {"methods", Json::array()},
             {"baseline", ""},
             {"seeds", {{"first", 1U}, {"count", 10U}}},
-            {"simulation", simulation_defaults()},
-            {"filter", filter_defaults()},
+            {"simulation", sim::common_simulation_json()},
+            {"filter", common_filter_json()},
             {"score", {{"align", "se2"}, {"max_time_difference_s", default_max_time_difference_s}}}};
 }
 

@@ -13,24 +13,6 @@ DDTOOL_JSON_STRUCT(LabelSettings, dispersion_weight, dispersion_threshold, fishe
 DDTOOL_JSON_STRUCT(BalanceSettings, degenerate, not_degenerate)
 DDTOOL_JSON_STRUCT(AssemblySettings, seed, labels, balance, shard_megabytes)
 
-namespace {
-
-/// World and seed come from the lists.
-Json simulation_defaults() {
-    Json simulation = sim::default_simulation_json();
-    simulation.erase("world");
-    simulation.erase("seed");
-    return simulation;
-}
-
-Json filter_defaults() {
-    Json filter = filter_settings_json(RbpfSettings{});
-    filter.erase("seed");
-    return filter;
-}
-
-}  // namespace
-
 Json default_build_json() {
     Json settings{
         {"worlds", Json::array()},
@@ -43,8 +25,8 @@ Json default_build_json() {
           {"update_distances", Json::array()}}},
         {"thinning", ThinningSettings{}},
         {"most_particle_updates", 60000U},
-        {"simulation", simulation_defaults()},
-        {"filter", filter_defaults()},
+        {"simulation", sim::common_simulation_json()},
+        {"filter", common_filter_json()},
     };
     settings.update(Json(AssemblySettings{}));
     settings["image"] = ImageSettings{};

@@ -90,6 +90,13 @@ Json default_simulation_json() {
             {"drive", defaults.drive}};
 }
 
+Json common_simulation_json() {
+    Json json = default_simulation_json();
+    json.erase("world");
+    json.erase("seed");
+    return json;
+}
+
 SimulationSettings simulation_from_json(const Json& json) {
     return {.seed = json.at("seed").get<std::uint64_t>(),
             .start_ns = json.at("start_ns").get<std::int64_t>(),

@@ -11,6 +11,9 @@ namespace ddtool::sim {
 /// `preset` names where the values come from, and null leaves a value to it.
 Json default_simulation_json();
 
+/// The defaults for many simulations at once, whose worlds and seeds come from lists.
+Json common_simulation_json();
+
 /// The world is named beside the settings, as `world`; see load_world(). Throws UsageError naming the key for an
 /// unknown preset or a value that makes no sense.
 SimulationSettings simulation_from_json(const Json& json);

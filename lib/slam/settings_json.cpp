@@ -40,6 +40,12 @@ void expect_above_zero(const Json& json, const std::string& path) {
 
 Json filter_settings_json(const RbpfSettings& settings) { return settings; }
 
+Json common_filter_json() {
+    Json json = filter_settings_json({});
+    json.erase("seed");
+    return json;
+}
+
 RbpfSettings filter_settings_from_json(const Json& json) {
     expect_between(json, "particles", 1, 1e6, "1 to 1000000");
     expect_between(json, "seed", 0, 1.8e19, "a whole number, 0 or more");
