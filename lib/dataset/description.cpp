@@ -117,14 +117,14 @@ void add_rows(Table& table, const char* name, const std::map<GroupKey, LabelCoun
 /// Samples whose physical ratio is known, as columns.
 struct LabelledPairs {
     std::vector<bool> degenerate;  ///< by the physics
-    std::vector<double> ratio;
+    std::vector<double> weak_sd_m;
     std::vector<std::vector<double>> measured = std::vector<std::vector<double>>(measures().size());
     std::int64_t labelled = 0;  ///< with both labels
     std::int64_t same = 0;
 
     void add(const SampleRecord& sample, Particles swarm) {
         degenerate.push_back(sample.label_of(LabelRule::fisher) == Label::degenerate);
-        ratio.push_back(physical_ratio(sample));
+        weak_sd_m.push_back(sample.weak_sd_m);
         for (std::size_t measure = 0; measure < measures().size(); ++measure) {
             measured[measure].push_back(measures()[measure].value(sample, swarm));
         }
@@ -183,12 +183,12 @@ Table agreement_table(const Dataset& data) {
     }
     Table table({{"source"}, {"samples"}, {"accuracy"}, {"measure"}, {"AUC"}, {"rank correlation"}});
     for (const auto& [kind, pairs] : by_kind) {
-        const auto count = static_cast<std::int64_t>(pairs.ratio.size());
+        const auto count = static_cast<std::int64_t>(pairs.weak_sd_m.size());
         const double accuracy = static_cast<double>(pairs.same) / static_cast<double>(pairs.labelled);
         for (std::size_t measure = 0; measure < measures().size(); ++measure) {
             table.add_row({kind, count, accuracy, std::string(measures()[measure].name),
                            roc_auc(pairs.measured[measure], pairs.degenerate),
-                           rank_correlation(pairs.measured[measure], pairs.ratio)});
+                           rank_correlation(pairs.measured[measure], pairs.weak_sd_m)});
         }
     }
     return table;

@@ -12,9 +12,9 @@ Table class_table(const Json& counts);
 Table group_table(const Dataset& data);
 
 /// What tells the physics how well: over simulated worlds and over logs, for R over each weight and for the spreads of
-/// both swarms, the area under the ROC curve for the label `fisher` and the rank correlation with the physical ratio.
-/// `accuracy` is the share of samples whose two labels are the same. Logs have no label `fisher`, hence only the
-/// correlation.
+/// both swarms, the area under the ROC curve for the label `fisher` and the rank correlation with weak_sd_m, what
+/// the scan leaves open. `accuracy` is the share of samples whose two labels are the same. Logs have no label `fisher`,
+/// hence only the correlation.
 Table agreement_table(const Dataset& data);
 
 /// The tables for machines.
