@@ -105,7 +105,7 @@ PatchPointer& OccupancyGrid::pointer_at(Cell cell) {
 void OccupancyGrid::add_hit(Cell cell, NearestPoint offset) {
     PatchPointer& patch = pointer_at(cell);
     const std::size_t local = Patch::local(cell.x, cell.y);
-    const int present = patch->log_odds[local];
+    const std::int8_t present = patch->log_odds[local];
     const int before = present == Patch::unknown ? 0 : present;
     const int after = std::min(before + settings_.hit_step, settings_.max_log_odds);
     if (after != present) {
