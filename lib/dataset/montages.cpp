@@ -52,8 +52,7 @@ void draw_montage(const std::filesystem::path& file, const Dataset& data, LabelR
         rows.push_back({family, {drawn(data, samples[1], renderer), drawn(data, samples[0], renderer)}});
     }
     const cv::Mat3b page = plot::montage({class_names[1], class_names[0]}, rows, tile_px);
-    write_png(file, {static_cast<std::size_t>(page.cols), static_cast<std::size_t>(page.rows), 3,
-                     std::span<const std::uint8_t>(page.data, page.total() * 3)});
+    write_png(file, pixels_of(page));
 }
 
 }  // namespace

@@ -103,13 +103,14 @@ private:
             }
             const Variant variant = draw_variant(item, chance(world, seed), where);
             const Json simulation = simulation_of(item, variant, seed);
-            PlannedRun run{entry_of(item, variant, seed, plain_name(world)), world, {}};
+            const Json filter = filter_of(item, variant, seed);
+            PlannedRun run{entry_of(item, filter, plain_name(world)), world, {}};
             run.entry.lidar = simulation.at("lidar").at("preset").get<std::string>();
             run.entry.odometry = simulation.at("odometry").at("preset").get<std::string>();
             run.configuration = {{"world", sim::world_fingerprint(sim::load_world(world))},
                                  {"simulation", simulation},
                                  {"most_particle_updates", settings_.at("most_particle_updates")},
-                                 {"filter", filter_of(item, variant, seed)}};
+                                 {"filter", filter}};
             add_run(std::move(run));
         }
     }
@@ -121,9 +122,9 @@ private:
         add_source("log", name);
         for (const std::uint64_t seed : seeds_of(item, where)) {
             const Variant variant = draw_variant(item, chance(name, seed), where);
-            PlannedRun run{entry_of(item, variant, seed, name), path, {}};
-            run.configuration = {
-                {"log", content}, {"range_sd_m", item.at("range_sd_m")}, {"filter", filter_of(item, variant, seed)}};
+            const Json filter = filter_of(item, variant, seed);
+            PlannedRun run{entry_of(item, filter, name), path, {}};
+            run.configuration = {{"log", content}, {"range_sd_m", item.at("range_sd_m")}, {"filter", filter}};
             add_run(std::move(run));
         }
     }
@@ -149,11 +150,10 @@ private:
         return scene.empty() ? otherwise : scene;
     }
 
-    static RunEntry entry_of(const Json& item, const Variant& variant, std::uint64_t seed, const std::string& scene) {
+    static RunEntry entry_of(const Json& item, const Json& filter, const std::string& scene) {
         RunEntry entry;
         entry.scene = scene_of(item, scene);
-        entry.seed = seed;
-        const Json filter = filter_of(item, variant, seed);
+        entry.seed = filter.at("seed").get<std::uint64_t>();
         entry.particles = filter.at("particles").get<std::uint64_t>();
         entry.update_distance_m = filter.at("update_distance_m").get<double>();
         entry.update_turn_rad = filter.at("update_turn_rad").get<double>();
