@@ -22,13 +22,6 @@ struct FamilyValues {
     std::size_t degenerate = 0;
 };
 
-/// R over the weight that the label takes it of.
-double labelled_dispersion(const SampleRecord& sample, const LabelSettings& labels) {
-    const auto* const name =
-        std::find(dispersion_weight_names.begin(), dispersion_weight_names.end(), labels.dispersion_weight);
-    return sample.dispersion[static_cast<std::size_t>(name - dispersion_weight_names.begin())];
-}
-
 std::map<std::string, FamilyValues> by_family(const Dataset& data, LabelRule rule, const auto& value_of) {
     std::map<std::string, FamilyValues> families;
     for (std::size_t index = 0; index < data.size(); ++index) {
@@ -77,7 +70,7 @@ void draw_histograms(const std::filesystem::path& folder, const Dataset& data) {
     made_folder(folder);
     draw(folder / "dispersion.png",
          by_family(data, LabelRule::dispersion,
-                   [&](const SampleRecord& sample) { return labelled_dispersion(sample, labels); }),
+                   [&](const SampleRecord& sample) { return labelled_dispersion(sample.dispersion, labels); }),
          "log10 R of " + labels.dispersion_weight, labels.dispersion_threshold);
     draw(folder / "fisher.png", by_family(data, LabelRule::fisher, physical_ratio), "log10 (weak sd / odometry sd)",
          labels.fisher_ratio);

@@ -66,7 +66,7 @@ Eigen::Matrix3d information_on_map(const Eigen::Matrix3d& information, double ra
     return beam / (beam + cell_size_m * cell_size_m / 12.0) * information;
 }
 
-Label dispersion_label(const std::array<double, 4>& dispersions, const LabelSettings& settings) {
+double labelled_dispersion(const std::array<double, 4>& dispersions, const LabelSettings& settings) {
     const auto* const name =
         std::find(dispersion_weight_names.begin(), dispersion_weight_names.end(), settings.dispersion_weight);
     if (name == dispersion_weight_names.end()) {
@@ -75,8 +75,11 @@ Label dispersion_label(const std::array<double, 4>& dispersions, const LabelSett
             "weight, not '" +
             settings.dispersion_weight + "'");
     }
-    const auto which = static_cast<std::size_t>(name - dispersion_weight_names.begin());
-    return label_if(dispersions[which] > settings.dispersion_threshold);
+    return dispersions[static_cast<std::size_t>(name - dispersion_weight_names.begin())];
+}
+
+Label dispersion_label(const std::array<double, 4>& dispersions, const LabelSettings& settings) {
+    return label_if(labelled_dispersion(dispersions, settings) > settings.dispersion_threshold);
 }
 
 Label fisher_label(double weak_sd_m, double odometry_sd_m, const LabelSettings& settings) {

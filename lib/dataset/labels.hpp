@@ -39,7 +39,8 @@ PhysicalDegeneracy physical_degeneracy(const Eigen::Matrix3d& information, const
 /// cell's standard deviation, which adds to the beam's.
 Eigen::Matrix3d information_on_map(const Eigen::Matrix3d& information, double range_sd_m, double cell_size_m);
 
-/// Throws UsageError for an unknown weight.
+/// R over the weight that the label takes it of. Throws UsageError for an unknown weight.
+double labelled_dispersion(const std::array<double, 4>& dispersions, const LabelSettings& settings);
 Label dispersion_label(const std::array<double, 4>& dispersions, const LabelSettings& settings);
 /// Unknown for sd that are NaN.
 Label fisher_label(double weak_sd_m, double odometry_sd_m, const LabelSettings& settings);
