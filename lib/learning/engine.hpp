@@ -1,0 +1,56 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "learning/degree_model.hpp"
+#include "learning/history.hpp"
+#include "learning/train_settings.hpp"
+
+namespace ddtool::learning {
+
+struct TrainRequest {
+    std::filesystem::path data;  ///< folder of a data set
+    std::filesystem::path out;   ///< folder for checkpoints and metrics
+    TrainSettings settings;
+    std::string device = "cpu";            ///< cpu or cuda
+    std::size_t threads = 0;               ///< of the compute; 0: all cores
+    bool resume = false;                   ///< go on from out/last.pt; without one, start
+    double checkpoint_interval_s = 300.0;  ///< last.pt is written at least so often, and after every epoch
+};
+
+struct TrainResult {
+    std::filesystem::path best;  ///< checkpoint
+    EpochRecord best_epoch;
+    std::size_t epochs = 0;
+    bool interrupted = false;  ///< asked to stop; last.pt can be resumed
+};
+
+struct RunOptions {
+    std::string device = "cpu";
+    std::string precision = "fp32";  ///< or bf16
+    std::size_t threads = 1;
+};
+
+/// All that needs LibTorch. It lives in a library that is loaded when it is first asked for: LibTorch costs half a
+/// second and 160 MB, which commands that do without it should not pay.
+class Engine {
+public:
+    virtual ~Engine() = default;
+    /// Names of the networks that can be trained.
+    [[nodiscard]] virtual std::vector<std::string> networks() const = 0;
+    virtual TrainResult train(const TrainRequest& request) const = 0;
+    /// Writes the checkpoint's network as TorchScript, with its description inside, and its plain weights beside it.
+    virtual void export_model(const std::filesystem::path& checkpoint, const std::filesystem::path& out,
+                              double temperature) const = 0;
+    /// An exported model, or a checkpoint. Throws Error naming the file and what is wrong with it.
+    [[nodiscard]] virtual std::unique_ptr<DegreeModel> load(const std::filesystem::path& file,
+                                                            const RunOptions& options) const = 0;
+};
+
+/// The engine. Throws Error where ddtool was built without LibTorch or its library cannot be loaded.
+const Engine& engine();
+
+}  // namespace ddtool::learning
