@@ -1,21 +1,9 @@
 #include "imaging/image_settings.hpp"
 
-#include <string>
-
 #include "base/error.hpp"
+#include "base/expect.hpp"
 
 namespace ddtool {
-namespace {
-
-void expect_between(const char* key, double value, double least, double most) {
-    if (!(value >= least && value <= most)) {
-        throw UsageError(std::string(key) + ": expected " + Json(least).dump() + " to " + Json(most).dump() + ", not " +
-                         Json(value).dump());
-    }
-}
-
-}  // namespace
-
 void to_json(Json& json, Swarm swarm) { json = swarm == Swarm::step ? "step" : "absolute"; }
 
 void from_json(const Json& json, Swarm& swarm) {

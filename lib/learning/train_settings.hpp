@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <string>
 
+#include "dataset/sample_record.hpp"
 #include "imaging/image_settings.hpp"
 
 namespace ddtool::learning {
@@ -34,10 +35,10 @@ struct TrainSettings {
     std::string label = "fisher";
     std::string split = "held_out";
     ImageSettings image{.swarm = Swarm::step};
-    AugmentationSettings augmentation;
+    AugmentationSettings augmentation{};
     std::string loss = "cross-entropy";  ///< cross-entropy or bce
     bool class_weights = true;           ///< each class counts the same, however many samples it has
-    OptimizerSettings optimizer;
+    OptimizerSettings optimizer{};
     std::size_t epochs = 30;
     std::size_t batch_size = 32;       ///< of each rank
     std::size_t patience_epochs = 10;  ///< without a better validation loss before training stops; 0: never stops early
@@ -46,6 +47,10 @@ struct TrainSettings {
 };
 DDTOOL_JSON_STRUCT(TrainSettings, model, label, split, image, augmentation, loss, class_weights, optimizer, epochs,
                    batch_size, patience_epochs, precision, seed)
+
+/// The settings' words. Throw UsageError for another one.
+dataset::LabelRule label_rule_of(const TrainSettings& settings);
+dataset::Split split_of(const TrainSettings& settings);
 
 /// Throws UsageError naming the setting for a value that makes no sense. The model's name is checked by its makers.
 void expect_valid(const TrainSettings& settings);
