@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <chrono>
 #include <numeric>
 #include <thread>
@@ -112,6 +113,19 @@ TEST_F(BatchLoaderTest, ShowsASampleInAnotherWayInEveryEpoch) {
     }
 }
 
+TEST(BatchLoader, ChangesEverySampleInItsOwnWay) {
+    const SwarmDataset dataset(2, {.alike = true});
+    const AugmentationSettings augmentation{.resample_particles = false};
+    for (const bool augmented : {false, true}) {
+        BatchLoader loader(dataset.data(), evaluation_pass({0, 1}, 2), small_images(),
+                           augmented ? &augmentation : nullptr);
+        Batch batch;
+        ASSERT_TRUE(loader.next(batch));
+        const auto second = batch.images.begin() + static_cast<std::ptrdiff_t>(batch.images.size() / 2);
+        EXPECT_EQ(std::equal(batch.images.begin(), second, second), !augmented);
+    }
+}
+
 TEST_F(BatchLoaderTest, StaysAtTheEnd) {
     BatchLoader loader(dataset_.data(), evaluation_pass(all_samples(), 30), small_images(), nullptr);
     Batch batch;
@@ -121,7 +135,7 @@ TEST_F(BatchLoaderTest, StaysAtTheEnd) {
 }
 
 TEST(BatchLoader, TellsOfASampleWithoutALabelAfterTheBatchesBeforeIt) {
-    const SwarmDataset dataset(sample_count, 17);
+    const SwarmDataset dataset(sample_count, {.unlabelled = 17});
     BatchLoader loader(dataset.data(), evaluation_pass(all_samples(), 5), small_images(), nullptr);
     Batch batch;
     for (int step = 0; step < 3; ++step) {

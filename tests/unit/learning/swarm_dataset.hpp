@@ -12,18 +12,23 @@
 
 namespace ddtool::learning::test {
 
+struct SwarmDatasetOptions {
+    std::size_t unlabelled = SIZE_MAX;  ///< the sample that has no label
+    bool alike = false;                 ///< all swarms are the same
+};
+
 /// A data set of drawn swarms of 20 to 50 particles. Every third one is degenerate.
 class SwarmDataset {
 public:
-    /// unlabelled: the sample that has no label.
-    explicit SwarmDataset(std::size_t samples, std::size_t unlabelled = SIZE_MAX) {
+    explicit SwarmDataset(std::size_t samples, const SwarmDatasetOptions& options = {}) {
         std::vector<std::vector<SnapshotParticle>> swarms;
         std::vector<dataset::SampleRecord> records(samples);
         for (std::size_t sample = 0; sample < samples; ++sample) {
-            swarms.push_back(drawn_swarm(20 + sample * 7 % 31, sample));
+            const std::size_t seed = options.alike ? 0 : sample;
+            swarms.push_back(drawn_swarm(20 + seed * 7 % 31, seed));
             records[sample].particle_count = static_cast<std::uint32_t>(swarms.back().size());
             const auto label = sample % 3 == 0 ? dataset::Label::degenerate : dataset::Label::not_degenerate;
-            records[sample].label = {label, sample == unlabelled ? dataset::Label::unknown : label};
+            records[sample].label = {label, sample == options.unlabelled ? dataset::Label::unknown : label};
         }
         dataset::Manifest manifest{"test", Json::object(), Json::object(), {{"world", "drawn"}}, {{}}, {}};
         manifest.shards.push_back(dataset::write_shard(root_, "shard-0000", records, [&](std::size_t sample) {
