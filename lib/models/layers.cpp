@@ -57,4 +57,13 @@ void draw_weights(torch::nn::Module& network) {
     });
 }
 
+void lay_out_channels_last(torch::nn::Module& network) {
+    for (torch::Tensor& parameter : network.parameters()) {
+        if (parameter.dim() == 4) {
+            // Not contiguous(): it leaves weights of one input channel, which are both, with strides that say neither.
+            parameter.set_data(parameter.detach().clone(torch::MemoryFormat::ChannelsLast));
+        }
+    }
+}
+
 }  // namespace ddtool::models

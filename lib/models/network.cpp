@@ -41,7 +41,9 @@ std::shared_ptr<Network> make_network(const std::string& name, std::size_t size_
     if (row == networks().end()) {
         throw UsageError("no network named '" + name + "', only " + joined(network_names()));
     }
-    return row->make(static_cast<std::int64_t>(size_px));
+    std::shared_ptr<Network> network = row->make(static_cast<std::int64_t>(size_px));
+    lay_out_channels_last(*network);
+    return network;
 }
 
 }  // namespace ddtool::models
