@@ -1,0 +1,24 @@
+#pragma once
+
+#include <gmock/gmock.h>
+#include <torch/torch.h>
+
+#include <iomanip>
+
+namespace ddtool::models {
+
+/// Same shape, and no value further from the other's than the tolerance.
+inline testing::AssertionResult near(const torch::Tensor& actual, const torch::Tensor& expected, double tolerance) {
+    if (actual.sizes() != expected.sizes()) {
+        return testing::AssertionFailure() << actual.sizes() << " instead of " << expected.sizes();
+    }
+    const double difference = (actual - expected).abs().max().item<double>();
+    if (difference <= tolerance) {
+        return testing::AssertionSuccess();
+    }
+    return testing::AssertionFailure() << std::setprecision(6) << "differ by " << difference << ":\n"
+                                       << actual << "\ninstead of\n"
+                                       << expected;
+}
+
+}  // namespace ddtool::models
