@@ -1,8 +1,11 @@
 #include "eval/ranks.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <map>
 
 namespace ddtool {
 
@@ -41,6 +44,27 @@ double roc_auc(std::span<const double> scores, const std::vector<bool>& positive
         return std::numeric_limits<double>::quiet_NaN();
     }
     return (rank_sum - 0.5 * positives * (positives + 1.0)) / (positives * negatives);
+}
+
+std::vector<RocPoint> roc_curve(std::span<const double> scores, const std::vector<bool>& positive) {
+    std::map<double, std::array<double, 2>, std::greater<>> counts;  // by score: negatives, positives
+    std::array<double, 2> all{};
+    for (std::size_t i = 0; i < scores.size(); ++i) {
+        const std::size_t side = positive[i] ? 1 : 0;
+        counts[scores[i]][side] += 1.0;
+        all[side] += 1.0;
+    }
+    if (all[0] == 0.0 || all[1] == 0.0) {
+        return {};
+    }
+    std::vector<RocPoint> points{{}};
+    std::array<double, 2> above{};
+    for (const auto& [score, at] : counts) {
+        above[0] += at[0];
+        above[1] += at[1];
+        points.push_back({above[0] / all[0], above[1] / all[1]});
+    }
+    return points;
 }
 
 double rank_correlation(std::span<const double> first, std::span<const double> second) {

@@ -86,6 +86,15 @@ double quantile(std::span<const double> values, double fraction) {
 
 double median(std::span<const double> values) { return quantile(values, 0.5); }
 
+MeanAndSd mean_and_sd(std::span<const double> values) {
+    const auto count = static_cast<double>(values.size());
+    const double mean = std::accumulate(values.begin(), values.end(), 0.0) / count;
+    const double squares = std::accumulate(values.begin(), values.end(), 0.0, [&](double sum, double value) {
+        return sum + (value - mean) * (value - mean);
+    });
+    return {mean, values.size() < 2 ? not_a_number : std::sqrt(squares / (count - 1.0))};
+}
+
 MedianInterval median_interval(std::span<const double> values, double wanted_coverage) {
     if (values.empty()) {
         return {not_a_number, not_a_number, 0.0};

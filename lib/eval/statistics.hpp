@@ -12,6 +12,14 @@ double quantile(std::span<const double> values, double fraction);
 
 double median(std::span<const double> values);
 
+/// Sample mean and standard deviation (divided by the number less one); NaN where there are too few values.
+struct MeanAndSd {
+    double mean = 0.0;
+    double sd = 0.0;
+};
+
+MeanAndSd mean_and_sd(std::span<const double> values);
+
 /// An interval between two of the values that covers the true median with at least the wanted probability.
 struct MedianInterval {
     double low = 0.0;

@@ -24,6 +24,8 @@ public:
     /// One cell a column; throws std::invalid_argument otherwise.
     void add_row(std::vector<Cell> cells);
 
+    [[nodiscard]] bool empty() const { return rows_.empty(); }
+
     /// Columns aligned with blanks: words to the left, numbers to the right. Ends with a line break, as all do.
     [[nodiscard]] std::string text() const;
     [[nodiscard]] std::string markdown() const;

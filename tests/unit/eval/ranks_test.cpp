@@ -106,5 +106,21 @@ TEST(RankCorrelation, IsMissingWhereOneSideIsConstant) {
     EXPECT_TRUE(std::isnan(rank_correlation({}, {})));
 }
 
+TEST(RocCurve, RisesFromCornerToCornerAndHasTheAucBelowIt) {
+    const Scored scored = drawn(11, 60);
+    const std::vector<RocPoint> points = roc_curve(scored.scores, scored.positive);
+    double area = 0.0;
+    for (std::size_t i = 1; i < points.size(); ++i) {
+        EXPECT_GE(points[i].false_positive_rate, points[i - 1].false_positive_rate);
+        EXPECT_GE(points[i].true_positive_rate, points[i - 1].true_positive_rate);
+        area += (points[i].false_positive_rate - points[i - 1].false_positive_rate) *
+                (points[i].true_positive_rate + points[i - 1].true_positive_rate) / 2.0;
+    }
+    EXPECT_EQ(points.front().true_positive_rate, 0.0);
+    EXPECT_EQ(points.back().false_positive_rate, 1.0);
+    EXPECT_NEAR(area, roc_auc(scored.scores, scored.positive), 1e-12);
+    EXPECT_TRUE(roc_curve(scored.scores, std::vector<bool>(scored.scores.size(), true)).empty());
+}
+
 }  // namespace
 }  // namespace ddtool

@@ -128,5 +128,16 @@ TEST(SignedRank, RaisesFewFalseAlarms) {
     EXPECT_GT(static_cast<double>(alarms) / trials, 0.03);
 }
 
+TEST(MeanAndSd, ShiftsAndScalesWithTheValues) {
+    const MeanAndSd plain = mean_and_sd(std::vector{1.0, 2.0, 4.0, 5.0});
+    EXPECT_DOUBLE_EQ(plain.mean, 3.0);
+    EXPECT_DOUBLE_EQ(plain.sd, std::sqrt(10.0 / 3.0));
+    const MeanAndSd changed = mean_and_sd(std::vector{-2.0, -4.0, -8.0, -10.0});
+    EXPECT_DOUBLE_EQ(changed.mean, -2.0 * plain.mean);
+    EXPECT_DOUBLE_EQ(changed.sd, 2.0 * plain.sd);
+    EXPECT_TRUE(std::isnan(mean_and_sd(std::vector{7.0}).sd));
+    EXPECT_TRUE(std::isnan(mean_and_sd({}).mean));
+}
+
 }  // namespace
 }  // namespace ddtool
