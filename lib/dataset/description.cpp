@@ -5,9 +5,9 @@
 #include <limits>
 #include <map>
 #include <span>
-#include <tuple>
 #include <vector>
 
+#include "dataset/grouping.hpp"
 #include "eval/ranks.hpp"
 #include "particles/spread.hpp"
 
@@ -35,11 +35,7 @@ const std::vector<Measure>& measures() {
          [](const SampleRecord&, Particles swarm) { return spread_m(swarm, &SnapshotParticle::pose); }},
         {"step swarm's spread",
          [](const SampleRecord&, Particles swarm) { return spread_m(swarm, &SnapshotParticle::matched_motion); }},
-        {"step swarm's, of predicted",
-         [](const SampleRecord&, Particles swarm) {
-             const double predicted_m = spread_m(swarm, &SnapshotParticle::predicted_motion);
-             return predicted_m > 0.0 ? spread_m(swarm, &SnapshotParticle::matched_motion) / predicted_m : 0.0;
-         }},
+        {"step swarm's, of predicted", [](const SampleRecord&, Particles swarm) { return step_spread_ratio(swarm); }},
     };
     return all;
 }
@@ -64,48 +60,6 @@ struct LabelCounts {
                           : static_cast<double>(degenerate[index_of(rule)]) / static_cast<double>(known);
     }
 };
-
-/// A number as text that sorts like the number.
-struct GroupKey {
-    double number = 0.0;
-    std::string text;
-    bool operator<(const GroupKey& other) const { return std::tie(number, text) < std::tie(other.number, other.text); }
-};
-
-GroupKey numeric(double number, std::string text) { return {number, std::move(text)}; }
-
-struct Grouping {
-    const char* name;
-    std::function<GroupKey(const RunEntry&)> key;
-};
-
-std::string or_dash(const std::string& text) { return text.empty() ? "-" : text; }
-
-std::string short_number(double number) {
-    std::string text = std::to_string(number);
-    text.erase(text.find_last_not_of('0') + 1);
-    return text.ends_with('.') ? text + "0" : text;
-}
-
-const std::vector<Grouping>& groupings() {
-    static const std::vector<Grouping> all{
-        {"scene",
-         [](const RunEntry& run) {
-             return GroupKey{0.0, scene_family(run)};
-         }},
-        {"lidar",
-         [](const RunEntry& run) {
-             return GroupKey{0.0, or_dash(run.lidar)};
-         }},
-        {"odometry",
-         [](const RunEntry& run) {
-             return GroupKey{0.0, or_dash(run.odometry)};
-         }},
-        {"update distance [m]",
-         [](const RunEntry& run) { return numeric(run.update_distance_m, short_number(run.update_distance_m)); }},
-    };
-    return all;
-}
 
 void add_rows(Table& table, const char* name, const std::map<GroupKey, LabelCounts>& groups) {
     for (const auto& [key, counts] : groups) {
@@ -135,11 +89,6 @@ struct LabelledPairs {
 
 }  // namespace
 
-std::string scene_family(const RunEntry& run) {
-    const bool drawn = run.scene.starts_with("random:");
-    return drawn ? run.scene.substr(0, run.scene.rfind(':')) : run.scene;
-}
-
 double physical_ratio(const SampleRecord& sample) { return sample.weak_sd_m / sample.odometry_sd_m; }
 
 Table class_table(const Json& counts) {
@@ -157,19 +106,16 @@ Table class_table(const Json& counts) {
 
 Table group_table(const Dataset& data) {
     std::vector<std::map<GroupKey, LabelCounts>> groups(groupings().size());
-    std::map<GroupKey, LabelCounts> by_particles;
     for (std::size_t index = 0; index < data.size(); ++index) {
         const SampleRecord& sample = data.sample(index);
         for (std::size_t grouping = 0; grouping < groups.size(); ++grouping) {
-            groups[grouping][groupings()[grouping].key(data.run_of(sample))].add(sample);
+            groups[grouping][groupings()[grouping].key(sample, data.run_of(sample))].add(sample);
         }
-        by_particles[numeric(sample.particle_count, std::to_string(sample.particle_count))].add(sample);
     }
     Table table({{"by"}, {"value"}, {"samples"}, {"degenerate: dispersion", 2}, {"degenerate: fisher", 2}});
     for (std::size_t grouping = 0; grouping < groups.size(); ++grouping) {
         add_rows(table, groupings()[grouping].name, groups[grouping]);
     }
-    add_rows(table, "particles", by_particles);
     return table;
 }
 

@@ -20,9 +20,6 @@ Table agreement_table(const Dataset& data);
 /// The tables for machines.
 Json description_json(const Dataset& data);
 
-/// The scene's name; all drawn worlds of a kind are one family, such as random:office.
-std::string scene_family(const RunEntry& run);
-
 /// Standard deviation that the scan leaves along the weakest direction over that of the odometry. Infinite where
 /// nothing holds the pose, NaN where unknown.
 double physical_ratio(const SampleRecord& sample);

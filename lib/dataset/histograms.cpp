@@ -7,6 +7,7 @@
 #include "base/folder.hpp"
 #include "dataset/build_settings.hpp"
 #include "dataset/description.hpp"
+#include "dataset/grouping.hpp"
 #include "plot/figure.hpp"
 
 namespace ddtool::dataset {

@@ -7,7 +7,7 @@
 
 #include "base/folder.hpp"
 #include "base/png_file.hpp"
-#include "dataset/description.hpp"
+#include "dataset/grouping.hpp"
 #include "imaging/particle_renderer.hpp"
 #include "plot/montage.hpp"
 

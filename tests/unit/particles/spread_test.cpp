@@ -47,5 +47,36 @@ TEST(Spread, LooksAtThePositionAskedForAndAtFiniteOnes) {
     EXPECT_EQ(spread_m(swarm, predicted), 0.0);
 }
 
+TEST(WeightedSpread, CountsAParticleOfTwiceTheWeightAsTwo) {
+    std::vector<SnapshotParticle> swarm = test::normal_swarm(20, 3, {0.3, 0.1});
+    std::vector<SnapshotParticle> doubled = swarm;
+    for (std::size_t i = 0; i < swarm.size(); ++i) {
+        swarm[i].weight = i == 0 ? 2.0 / 21.0 : 1.0 / 21.0;
+    }
+    doubled.push_back(doubled.front());
+    // The same sums over other degrees of freedom: 1 - sum w^2 against (n - 1) / n.
+    const double freedom = 1.0 - (4.0 + 19.0) / (21.0 * 21.0);
+    const PositionSpread weighted = weighted_position_spread(swarm, &SnapshotParticle::pose);
+    const PositionSpread plain = position_spread(doubled, &SnapshotParticle::pose);
+    EXPECT_NEAR(weighted.major_m, plain.major_m * std::sqrt(20.0 / 21.0 / freedom), 1e-12);
+    EXPECT_NEAR(weighted.minor_m, plain.minor_m * std::sqrt(20.0 / 21.0 / freedom), 1e-12);
+    EXPECT_LT(plain.minor_m, plain.major_m);
+}
+
+TEST(WeightedSpread, IsZeroWhereOneParticleHasAllTheWeight) {
+    std::vector<SnapshotParticle> swarm = test::normal_swarm(20, 3, {0.3, 0.1});
+    swarm[4].weight = 1.0;
+    EXPECT_EQ(weighted_position_spread(swarm, &SnapshotParticle::pose).major_m, 0.0);
+}
+
+TEST(StepSpreadRatio, IsOneWhereTheScanLeavesAllOpen) {
+    std::vector<SnapshotParticle> swarm = test::normal_swarm(20, 3, {});
+    EXPECT_EQ(step_spread_ratio(std::vector<SnapshotParticle>(3)), 0.0);
+    for (SnapshotParticle& particle : swarm) {
+        particle.matched_motion = particle.predicted_motion;
+    }
+    EXPECT_DOUBLE_EQ(step_spread_ratio(swarm), 1.0);
+}
+
 }  // namespace
 }  // namespace ddtool

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <compare>
+#include <string>
+#include <vector>
+
+#include "dataset/manifest.hpp"
+#include "dataset/sample_record.hpp"
+
+namespace ddtool::dataset {
+
+/// A group of samples by its name; names of numbers sort like the numbers.
+struct GroupKey {
+    double number = 0.0;
+    std::string text;
+    auto operator<=>(const GroupKey&) const = default;
+};
+
+/// A way to part samples into groups.
+struct Grouping {
+    const char* name;
+    GroupKey (*key)(const SampleRecord&, const RunEntry&);
+};
+
+/// By family of scenes, lidar, odometry, update distance and particles.
+const std::vector<Grouping>& groupings();
+
+/// The scene's name; all drawn worlds of a kind are one family, such as random:office.
+std::string scene_family(const RunEntry& run);
+
+}  // namespace ddtool::dataset
