@@ -6,6 +6,7 @@
 #include "compare_command.hpp"
 #include "convert_command.hpp"
 #include "dataset_command.hpp"
+#include "eval_command.hpp"
 #include "program.hpp"
 #include "score_command.hpp"
 #include "simulate_command.hpp"
@@ -20,6 +21,7 @@ CommandTable all_commands() {
     table.push_back(std::make_unique<CompareCommand>());
     table.push_back(std::make_unique<ConvertCommand>());
     table.push_back(std::make_unique<DatasetCommand>());
+    table.push_back(std::make_unique<EvalCommand>());
     table.push_back(std::make_unique<ScoreCommand>());
     table.push_back(std::make_unique<SimulateCommand>());
     table.push_back(std::make_unique<SlamCommand>());

@@ -1,0 +1,98 @@
+#include "eval_command.hpp"
+
+#include <cmath>
+#include <iostream>
+
+#include "base/atomic_file.hpp"
+#include "base/expect.hpp"
+#include "base/folder.hpp"
+#include "base/log.hpp"
+#include "detection/pictures.hpp"
+#include "detection/simple_rules.hpp"
+#include "detection/tables.hpp"
+
+namespace ddtool {
+namespace {
+
+using detection::Evaluation;
+using detection::Task;
+
+Task task_from(const Json& settings) {
+    const auto place = [&](const std::string& key, std::span<const char* const> names) {
+        return expect_one_of(key, settings.at(key), names);
+    };
+    return {.label = dataset::LabelRule{place("label", dataset::label_rule_names)},
+            .split = dataset::Split{place("split", dataset::split_names)},
+            .part = static_cast<dataset::Part>(1 + place("part", std::span(dataset::part_names).subspan(1)))};
+}
+
+std::vector<detection::Detector> rules_fitted_on(const std::string& folder, const Task& task) {
+    std::vector<detection::Detector> rules = detection::fitted_rules(dataset::Dataset(folder), task.label, task.split);
+    if (std::isnan(rules.front().threshold)) {
+        log_warning(folder + ": no sample of one of the classes to fit rules on: they have scores, but decide nothing");
+    }
+    return rules;
+}
+
+void print(const dataset::Dataset& data, const std::vector<Evaluation>& evaluations, const Task& task) {
+    std::string text;
+    const auto add = [&](const Table& table) {
+        text += table.empty() ? "" : (text.empty() ? "" : "\n") + table.text();
+    };
+    if (!evaluations.front().samples.indices.empty()) {
+        add(detection::detector_table(evaluations, task));
+        add(detection::seed_table(evaluations, task));
+        add(detection::calibration_table(evaluations, task));
+    }
+    add(detection::physics_table(evaluations));
+    add(detection::group_table(data, detection::detailed(evaluations)));
+    std::cout << text;
+}
+
+}  // namespace
+
+EvalCommand::EvalCommand()
+    : Command("eval", "How well models and simple rules detect degeneracy on a data set",
+              "ddtool eval --data out/small --out out/evaluation") {}
+
+void EvalCommand::add_options(CLI::App& app) {
+    app.add_option("--data", data_, "The data set")->type_name("DIR")->required();
+    app.add_option("--fit", fit_, "Data set whose part train the simple rules are fitted on, if not that of --data")
+        ->type_name("DIR");
+    bind_option(app, "--label", "label", "What counts as degenerate: dispersion or fisher");
+    bind_option(app, "--split", "split", "paper: samples at random; held_out: whole scenes");
+    bind_option(app, "--part", "part", "Samples that are tested: train, validation or test");
+    app.add_option("--out", out_, "Write eval.json and pictures there")->type_name("DIR");
+    app.add_flag("--json", as_json_, "Print JSON instead of tables");
+}
+
+Json EvalCommand::default_settings() const { return {{"label", "fisher"}, {"split", "held_out"}, {"part", "test"}}; }
+
+ExitCode EvalCommand::run(const Json& settings) {
+    const Task task = task_from(settings);
+    const dataset::Dataset data(data_);
+    std::vector<Evaluation> evaluations;
+    for (const detection::Detector& rule : rules_fitted_on(fit_.empty() ? data_ : fit_, task)) {
+        evaluations.push_back(detection::evaluate(data, rule, task));
+    }
+    const bool tested = !evaluations.front().samples.indices.empty();
+    if (!tested) {
+        log_warning(data_ + ": no samples for " + name_of(task) + ": only their agreement with the physics is known");
+    }
+    const std::string report = detection::report_json(data, evaluations, task).dump(2) + "\n";
+    if (!out_.empty()) {
+        write_file(made_folder(out_) / "eval.json", report);
+    }
+    if (!out_.empty() && tested) {
+        detection::draw_evaluations(out_, data, evaluations, detection::detailed(evaluations).front());
+        log_info("pictures in " + out_);
+    }
+    if (as_json_) {
+        std::cout << report;
+    } else {
+        print(data, evaluations, task);
+    }
+    return ExitCode::done;
+}
+
+}  // namespace ddtool

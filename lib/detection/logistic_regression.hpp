@@ -1,0 +1,24 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+namespace ddtool::detection {
+
+/// Logistic regression: P(positive) = 1 / (1 + exp(-(b + a z))) of standardised features z, with a ridge |a|^2 / 2
+/// added to the negative log-likelihood, so that classes that a plane parts have finite coefficients, too.
+class LogisticRegression {
+public:
+    /// features: a row a sample, a column a feature. By Newton's method, which here is iteratively reweighted least
+    /// squares (Bishop 2006, 4.3.3). Throws Error where there is no sample of one of the classes.
+    LogisticRegression(const Eigen::MatrixXd& features, const std::vector<bool>& positive);
+
+    [[nodiscard]] double probability(const Eigen::VectorXd& features) const;
+
+private:
+    Eigen::VectorXd mean_;
+    Eigen::VectorXd scale_;         ///< standard deviations; 1 for a feature that does not vary
+    Eigen::VectorXd coefficients_;  ///< the constant first
+};
+
+}  // namespace ddtool::detection
