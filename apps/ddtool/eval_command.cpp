@@ -7,6 +7,7 @@
 #include "base/expect.hpp"
 #include "base/folder.hpp"
 #include "base/log.hpp"
+#include "detection/label_noise.hpp"
 #include "detection/pictures.hpp"
 #include "detection/simple_rules.hpp"
 #include "detection/tables.hpp"
@@ -62,15 +63,29 @@ void EvalCommand::add_options(CLI::App& app) {
     bind_option(app, "--label", "label", "What counts as degenerate: dispersion or fisher");
     bind_option(app, "--split", "split", "paper: samples at random; held_out: whole scenes");
     bind_option(app, "--part", "part", "Samples that are tested: train, validation or test");
+    app.add_flag("--label-noise", label_noise_,
+                 "Instead: how often labels differ between runs of the data set that differ in their seeds alone");
     app.add_option("--out", out_, "Write eval.json and pictures there")->type_name("DIR");
     app.add_flag("--json", as_json_, "Print JSON instead of tables");
 }
 
 Json EvalCommand::default_settings() const { return {{"label", "fisher"}, {"split", "held_out"}, {"part", "test"}}; }
 
+void EvalCommand::print_label_noise(const dataset::Dataset& data) const {
+    const Table table = detection::label_noise_table(data);
+    if (table.empty()) {
+        throw Error(data_ + ": no two of its runs differ in their seeds alone, as in configs/dataset/label-noise.json");
+    }
+    std::cout << (as_json_ ? table.json().dump(2) + "\n" : table.text());
+}
+
 ExitCode EvalCommand::run(const Json& settings) {
     const Task task = task_from(settings);
     const dataset::Dataset data(data_);
+    if (label_noise_) {
+        print_label_noise(data);
+        return ExitCode::done;
+    }
     std::vector<Evaluation> evaluations;
     for (const detection::Detector& rule : rules_fitted_on(fit_.empty() ? data_ : fit_, task)) {
         evaluations.push_back(detection::evaluate(data, rule, task));

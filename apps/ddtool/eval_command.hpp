@@ -3,6 +3,7 @@
 #include <string>
 
 #include "command.hpp"
+#include "dataset/dataset.hpp"
 
 namespace ddtool {
 
@@ -17,9 +18,12 @@ protected:
     ExitCode run(const Json& settings) override;
 
 private:
+    void print_label_noise(const dataset::Dataset& data) const;
+
     std::string data_;
     std::string fit_;
     std::string out_;
+    bool label_noise_ = false;
     bool as_json_ = false;
 };
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <compare>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "dataset/manifest.hpp"
@@ -13,7 +13,7 @@ namespace ddtool::dataset {
 struct GroupKey {
     double number = 0.0;
     std::string text;
-    auto operator<=>(const GroupKey&) const = default;
+    bool operator<(const GroupKey& other) const { return std::tie(number, text) < std::tie(other.number, other.text); }
 };
 
 /// A way to part samples into groups.

@@ -67,8 +67,10 @@ void draw_confusions(const std::filesystem::path& file, std::span<const Evaluati
     const std::size_t rows = std::max<std::size_t>(1, (deciding.size() + columns - 1) / columns);
     plot::Canvas page(panel_width_px * static_cast<double>(columns), panel_height_px * static_cast<double>(rows));
     for (std::size_t index = 0; index < deciding.size(); ++index) {
-        const plot::Box box{static_cast<double>(index % columns) * panel_width_px,
-                            static_cast<double>(index / columns) * panel_height_px, panel_width_px, panel_height_px};
+        const std::size_t row = index / columns;
+        const std::size_t column = index % columns;
+        const plot::Box box{static_cast<double>(column) * panel_width_px, static_cast<double>(row) * panel_height_px,
+                            panel_width_px, panel_height_px};
         draw_panel(page.window(box), *deciding[index]);
     }
     const cv::Mat3b pixels = page.page();

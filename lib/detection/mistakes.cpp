@@ -69,6 +69,7 @@ void draw_mistakes(const std::filesystem::path& file, const dataset::Dataset& da
         }
     }
     std::vector<plot::MontageRow> rows;
+    rows.reserve(families.size());
     for (const auto& [name, family] : families) {
         rows.push_back({caption_of(name, family), {family.worst[0], family.worst[1]}});
     }
