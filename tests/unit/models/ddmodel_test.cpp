@@ -49,7 +49,8 @@ TEST(DDModel, HasTheDocumentedNumberOfParameters) {
 TEST(DDModel, GrowsByTheBlocksOfItsTable) {
     DDModelTable deeper = ddmodel_lite_table();
     deeper.groups.back().blocks = 3;
-    const std::int64_t block = 2 * (64 * 64 * 3 * 3 + 2 * 64);
+    const std::int64_t width = 64;
+    const std::int64_t block = 2 * (width * width * 3 * 3 + 2 * width);
     EXPECT_EQ(parameter_count(DDModel(deeper, 224)), parameter_count(DDModel(ddmodel_lite_table(), 224)) + 2 * block);
 }
 

@@ -53,6 +53,7 @@ TEST(MobileNetV3, ReadsOneChannelAndEndsInTheTablesMap) {
     const torch::Tensor images = formula_images(2, 224);
     EXPECT_THAT(network.feature_map(images).sizes(), ElementsAre(2, 960, 7, 7));
     EXPECT_THAT(network.forward(images).sizes(), ElementsAre(2, 2));
+    EXPECT_EQ(parameter_count(network), 4'204'306);  // docs/models.md
 }
 
 }  // namespace
