@@ -60,11 +60,12 @@ void draw_montage(const std::filesystem::path& file, const Dataset& data, LabelR
 void draw_montages(const std::filesystem::path& folder, const Dataset& data, const ImageSettings& settings) {
     made_folder(folder);
     for (const LabelRule rule : {LabelRule::dispersion, LabelRule::fisher}) {
-        for (const auto& [swarm, name] : {std::pair(Swarm::absolute, "absolute"), std::pair(Swarm::step, "step")}) {
+        for (const Swarm swarm : {Swarm::absolute, Swarm::step, Swarm::response}) {
             ImageSettings of_swarm = settings;
             of_swarm.swarm = swarm;
-            draw_montage(folder / (std::string("montage-") + label_rule_names[index_of(rule)] + "-" + name + ".png"),
-                         data, rule, of_swarm);
+            const std::string name =
+                std::string(label_rule_names[index_of(rule)]) + "-" + Json(swarm).get<std::string>();
+            draw_montage(folder / ("montage-" + name + ".png"), data, rule, of_swarm);
         }
     }
 }

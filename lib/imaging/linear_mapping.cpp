@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "imaging/response.hpp"
 #include "particles/spread.hpp"
 
 namespace ddtool {
@@ -56,10 +57,15 @@ std::optional<std::size_t> AxisMapping::pixel(double coordinate_m) const {
     return std::min(static_cast<std::size_t>(index), size_px_ - 1);
 }
 
-void coordinates(std::span<const SnapshotParticle> particles, Swarm swarm, std::vector<Point2>& points) {
+void coordinates(std::span<const SnapshotParticle> particles, const ImageSettings& settings,
+                 std::vector<Point2>& points) {
+    if (settings.swarm == Swarm::response) {
+        response(particles, settings.step_canvas_min_m / settings.step_canvas_spreads, points);
+        return;
+    }
     points.clear();
     for (const SnapshotParticle& particle : particles) {
-        const Pose2& place = swarm == Swarm::step ? particle.matched_motion : particle.pose;
+        const Pose2& place = settings.swarm == Swarm::step ? particle.matched_motion : particle.pose;
         if (is_finite(place.x_m, place.y_m)) {
             points.push_back({place.x_m, place.y_m});
         }
@@ -69,6 +75,9 @@ void coordinates(std::span<const SnapshotParticle> particles, Swarm swarm, std::
 double canvas_side_m(std::span<const SnapshotParticle> particles, const ImageSettings& settings) {
     if (settings.swarm == Swarm::absolute) {
         return settings.canvas_m;
+    }
+    if (settings.swarm == Swarm::response) {
+        return settings.step_canvas_spreads;
     }
     return std::max(settings.step_canvas_min_m,
                     settings.step_canvas_spreads * spread_m(particles, &SnapshotParticle::predicted_motion));

@@ -38,9 +38,10 @@ private:
 };
 
 /// The x and y that the settings' swarm gives each particle; those with one that is not finite are left out.
-void coordinates(std::span<const SnapshotParticle> particles, Swarm swarm, std::vector<Point2>& points);
+void coordinates(std::span<const SnapshotParticle> particles, const ImageSettings& settings,
+                 std::vector<Point2>& points);
 
-/// The side of the canvas on which the settings draw this swarm, metres.
+/// The side of the canvas on which the settings draw this swarm, metres; predicted spreads for the response.
 double canvas_side_m(std::span<const SnapshotParticle> particles, const ImageSettings& settings);
 
 /// The pixels of the points that lie on the canvas: x runs to the right, y upwards. Without linear mapping the canvas

@@ -35,7 +35,7 @@ void ParticleRenderer::draw(std::span<const SnapshotParticle> particles, std::sp
         throw Error("render: memory for " + std::to_string(pixels.size()) + " pixels, expected " +
                     std::to_string(settings_.size_px * settings_.size_px));
     }
-    coordinates(particles, settings_.swarm, points_);
+    coordinates(particles, settings_, points_);
     map_to_pixels(points_, canvas_side_m(particles, settings_), settings_, places_);
     std::fill(pixels.begin(), pixels.end(), empty);
     if (augmentation_) {

@@ -23,7 +23,7 @@ TEST(ImageSettings, SurviveTheWayThroughJson) {
 TEST(ImageSettings, RefuseAnUnknownSwarm) {
     Json json = ImageSettings{};
     json["swarm"] = "relative";
-    EXPECT_THAT(thrown_text<UsageError>([&] { json.get<ImageSettings>(); }), HasSubstr("absolute or step"));
+    EXPECT_THAT(thrown_text<UsageError>([&] { json.get<ImageSettings>(); }), HasSubstr("absolute, step or response"));
 }
 
 TEST(ImageSettings, NameTheOneThatMakesNoSense) {

@@ -102,7 +102,8 @@ TEST(LinearMapping, SwitchedOffHandsOverTheCoordinatesAsTheyAre) {
 TEST(Coordinates, LeaveOutWhatIsNotFinite) {
     const double inf = std::numeric_limits<double>::infinity();
     std::vector<Point2> points;
-    coordinates(test::swarm_at({{1.0, 2.0}, {std::nan(""), 0.0}, {0.0, -inf}, {3.0, 4.0}}), Swarm::absolute, points);
+    coordinates(test::swarm_at({{1.0, 2.0}, {std::nan(""), 0.0}, {0.0, -inf}, {3.0, 4.0}}), {.swarm = Swarm::absolute},
+                points);
     EXPECT_EQ(points, (std::vector<Point2>{{1.0, 2.0}, {3.0, 4.0}}));
 }
 

@@ -25,10 +25,11 @@ auto marked_in(const ParticleImage& image) {
     return std::count(image.pixels.begin(), image.pixels.end(), ParticleImage::marked);
 }
 
-/// Every way to draw: both swarms, mapping and augmentation on and off.
-std::vector<ImageSettings> every_way() {
+/// Every way to draw the swarms, mapping and augmentation on and off.
+std::vector<ImageSettings> every_way(const std::vector<Swarm>& swarms = {Swarm::absolute, Swarm::step,
+                                                                         Swarm::response}) {
     std::vector<ImageSettings> ways;
-    for (const Swarm swarm : {Swarm::absolute, Swarm::step}) {
+    for (const Swarm swarm : swarms) {
         for (const bool mapping : {true, false}) {
             for (const bool augmentation : {true, false}) {
                 ways.push_back({.swarm = swarm, .linear_mapping = mapping, .gaussian_augmentation = augmentation});
@@ -42,7 +43,8 @@ std::vector<ImageSettings> every_way() {
 Particles wide_swarm(std::uint64_t seed) {
     Particles swarm = test::normal_swarm(60, seed, {1.0, 0.4});
     for (SnapshotParticle& particle : swarm) {
-        particle.matched_motion = particle.predicted_motion;
+        // Less is left across than along, so that there is a weakest direction.
+        particle.matched_motion = {particle.predicted_motion.x_m, 0.5 * particle.predicted_motion.y_m, 0.0};
     }
     return swarm;
 }
@@ -71,7 +73,7 @@ Particles on_a_lattice(const Particles& particles) {
 }
 
 TEST(ParticleRenderer, DrawsTheSameImageWhereverTheSwarmIs) {
-    for (const Swarm swarm : {Swarm::absolute, Swarm::step}) {
+    for (const Swarm swarm : {Swarm::absolute, Swarm::step, Swarm::response}) {
         for (std::uint64_t seed = 0; seed < 20; ++seed) {
             RandomStream random({seed, 1});
             const Particles here = wide_swarm(seed);
@@ -117,7 +119,7 @@ ParticleImage turned(const ParticleImage& image) {
 }
 
 TEST(ParticleRenderer, TurnsTheImageWithTheSwarm) {
-    for (const ImageSettings& settings : every_way()) {
+    for (const ImageSettings& settings : every_way({Swarm::absolute, Swarm::step})) {
         const Particles swarm = wide_swarm(3);
         const Particles turned_swarm = transformed(swarm, [](Pose2& place) { place = {-place.y_m, place.x_m, 0.0}; });
         EXPECT_EQ(render(turned_swarm, settings), turned(render(swarm, settings)));

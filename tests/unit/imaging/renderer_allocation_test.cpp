@@ -28,7 +28,7 @@ namespace {
 TEST(ParticleRenderer, AllocatesNothingOnceItHasDrawnAsManyParticles) {
     const std::vector<SnapshotParticle> many = test::normal_swarm(1000, 1, {1.0, 0.1});
     const std::vector<SnapshotParticle> few = test::normal_swarm(30, 2, {2.0, 2.0});
-    for (const Swarm swarm : {Swarm::absolute, Swarm::step}) {
+    for (const Swarm swarm : {Swarm::absolute, Swarm::step, Swarm::response}) {
         ParticleRenderer renderer({.swarm = swarm});
         ParticleImage image;
         renderer.render(many, image);
