@@ -6,11 +6,14 @@
 #include "compare_command.hpp"
 #include "convert_command.hpp"
 #include "dataset_command.hpp"
+#include "engine_provider.hpp"
 #include "eval_command.hpp"
+#include "export_command.hpp"
 #include "program.hpp"
 #include "score_command.hpp"
 #include "simulate_command.hpp"
 #include "slam_command.hpp"
+#include "train_command.hpp"
 
 namespace ddtool {
 namespace {
@@ -22,9 +25,11 @@ CommandTable all_commands() {
     table.push_back(std::make_unique<ConvertCommand>());
     table.push_back(std::make_unique<DatasetCommand>());
     table.push_back(std::make_unique<EvalCommand>());
+    table.push_back(std::make_unique<ExportCommand>());
     table.push_back(std::make_unique<ScoreCommand>());
     table.push_back(std::make_unique<SimulateCommand>());
     table.push_back(std::make_unique<SlamCommand>());
+    table.push_back(std::make_unique<TrainCommand>());
     return table;
 }
 
@@ -33,6 +38,9 @@ CommandTable all_commands() {
 
 int main(int argc, char** argv) {
     try {
+#ifdef DDTOOL_WITH_TORCH
+        ddtool::learning::set_engine_provider(ddtool::provide_engine);
+#endif
         return static_cast<int>(ddtool::run_program(ddtool::all_commands(), argc, argv));
     } catch (const ddtool::Error& error) {
         ddtool::log_error(error.what());

@@ -26,6 +26,7 @@ struct TrainResult {
     EpochRecord best_epoch;
     std::size_t epochs = 0;
     bool interrupted = false;  ///< asked to stop; last.pt can be resumed
+    bool leads = true;         ///< false on the ranks of a distributed training that write nothing
 };
 
 struct RunOptions {
@@ -34,23 +35,28 @@ struct RunOptions {
     std::size_t threads = 1;
 };
 
-/// All that needs LibTorch. It lives in a library that is loaded when it is first asked for: LibTorch costs half a
-/// second and 160 MB, which commands that do without it should not pay.
+/// All that needs LibTorch. LibTorch costs half a second and 160 MB at a program's start, which commands that do
+/// without it should not pay; so it stands in a program of its own, ddtool-torch (docs/architecture.md).
 class Engine {
 public:
     virtual ~Engine() = default;
     /// Names of the networks that can be trained.
     [[nodiscard]] virtual std::vector<std::string> networks() const = 0;
     virtual TrainResult train(const TrainRequest& request) const = 0;
-    /// Writes the checkpoint's network as TorchScript, with its description inside, and its plain weights beside it.
-    virtual void export_model(const std::filesystem::path& checkpoint, const std::filesystem::path& out,
-                              double temperature) const = 0;
+    /// Writes the checkpoint's network as TorchScript, with its description inside, and its plain weights beside it
+    /// (docs/formats/model.md).
+    virtual void export_model(const std::filesystem::path& checkpoint, const std::filesystem::path& out) const = 0;
     /// An exported model, or a checkpoint. Throws Error naming the file and what is wrong with it.
     [[nodiscard]] virtual std::unique_ptr<DegreeModel> load(const std::filesystem::path& file,
                                                             const RunOptions& options) const = 0;
 };
 
-/// The engine. Throws Error where ddtool was built without LibTorch or its library cannot be loaded.
+/// Where the engine comes from; main says so. It may start another program in the place of this one.
+using EngineProvider = const Engine& (*)();
+void set_engine_provider(EngineProvider provider);
+
+/// The engine. To be asked for before a command prints or writes anything: the provider may start the command anew.
+/// Throws Error where there is no provider.
 const Engine& engine();
 
 }  // namespace ddtool::learning

@@ -34,7 +34,7 @@ struct TrainSettings {
     std::string model = "ddmodel-lite";
     std::string label = "fisher";
     std::string split = "held_out";
-    ImageSettings image{.swarm = Swarm::step};
+    ImageSettings image{.swarm = Swarm::response};
     AugmentationSettings augmentation{};
     std::string loss = "cross-entropy";  ///< cross-entropy or bce
     bool class_weights = true;           ///< each class counts the same, however many samples it has

@@ -1,0 +1,36 @@
+#include <unistd.h>
+
+#include <cerrno>
+#include <filesystem>
+#include <system_error>
+#include <vector>
+
+#include "base/atomic_file.hpp"
+#include "base/error.hpp"
+#include "engine_provider.hpp"
+
+namespace ddtool {
+namespace {
+
+/// This process's arguments, each ended by a zero byte (proc(5)).
+std::vector<char*> arguments_in(std::string& command_line) {
+    std::vector<char*> arguments;
+    for (std::size_t place = 0; place < command_line.size(); place = command_line.find('\0', place) + 1) {
+        arguments.push_back(&command_line[place]);
+    }
+    arguments.push_back(nullptr);
+    return arguments;
+}
+
+}  // namespace
+
+const learning::Engine& provide_engine() {
+    const std::filesystem::path program =
+        std::filesystem::read_symlink("/proc/self/exe").parent_path() / "ddtool-torch";
+    std::string command_line = read_file("/proc/self/cmdline");
+    execv(program.c_str(), arguments_in(command_line).data());
+    throw Error(program.string() +
+                ": cannot be started, which this needs for LibTorch: " + std::generic_category().message(errno));
+}
+
+}  // namespace ddtool

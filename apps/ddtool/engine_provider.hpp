@@ -1,0 +1,10 @@
+#pragma once
+
+#include "learning/engine.hpp"
+
+namespace ddtool {
+
+/// Where this program has its engine: in itself (ddtool-torch), or in that one, as which it then starts anew (ddtool).
+const learning::Engine& provide_engine();
+
+}  // namespace ddtool

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+
+#include "command.hpp"
+#include "learning/engine.hpp"
+
+namespace ddtool {
+
+/// Fits a network to a data set.
+class TrainCommand : public Command {
+public:
+    TrainCommand();
+
+protected:
+    void add_options(CLI::App& app) override;
+    [[nodiscard]] Json default_settings() const override;
+    ExitCode run(const Json& settings) override;
+
+private:
+    learning::TrainRequest request_;
+};
+
+}  // namespace ddtool

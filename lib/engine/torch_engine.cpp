@@ -1,0 +1,108 @@
+#include "engine/torch_engine.hpp"
+
+#include "base/error.hpp"
+#include "base/log.hpp"
+#include "inference/output_values.hpp"
+#include "inference/torch_model.hpp"
+#include "inference/torch_script.hpp"
+#include "learning/process_group.hpp"
+#include "learning/safetensors.hpp"
+#include "training/trainer.hpp"
+
+namespace ddtool {
+namespace {
+
+void expect_device(const std::string& device) {
+    if (device != "cpu" && !device.starts_with("cuda")) {
+        throw UsageError("device: expected cpu or cuda, not " + device);
+    }
+    if (device != "cpu" && !torch::cuda::is_available()) {
+        throw UsageError("device: " + device +
+                         " is not there, or this LibTorch (" TORCH_VERSION ") was built without CUDA");
+    }
+}
+
+/// The tensors of a network under their dotted names, batch statistics among them.
+learning::PlainWeights plain_weights(const models::Network& network, const learning::ModelDescription& about) {
+    learning::PlainWeights weights{Json(about).dump(), {}};
+    const auto add = [&](const auto& items) {
+        for (const auto& item : items) {
+            const torch::Tensor values = item.value().detach().to(torch::kCPU, torch::kFloat32).contiguous();
+            weights.tensors.push_back({item.key(),
+                                       values.sizes().vec(),
+                                       {values.data_ptr<float>(), values.data_ptr<float>() + values.numel()}});
+        }
+    };
+    add(network.named_parameters());
+    add(network.named_buffers());
+    return weights;
+}
+
+std::unique_ptr<learning::DegreeModel> model_of(training::Checkpoint& checkpoint, const learning::RunOptions& options) {
+    const std::shared_ptr<models::Network> network = checkpoint.network();
+    learning::ModelDescription about = checkpoint.description();
+    const torch::Device device(options.device);
+    network->to(device);
+    if (options.precision == "bf16") {
+        network->to(torch::kBFloat16);
+    }
+    const auto forward = [network, loss = about.loss, temperature = about.temperature](const torch::Tensor& images) {
+        return inference::output_values(loss, network->forward(images) / temperature);
+    };
+    return std::make_unique<inference::TorchModel>(std::move(about), forward, options);
+}
+
+class TorchEngine : public learning::Engine {
+public:
+    [[nodiscard]] std::vector<std::string> networks() const override { return models::network_names(); }
+
+    learning::TrainResult train(const learning::TrainRequest& request) const override {
+        expect_valid(request.settings);
+        expect_device(request.device);
+        const std::optional<learning::ProcessGroup> group = learning::process_group();
+        learning::TrainRequest own = request;
+        if (group && request.device == "cuda") {
+            own.device = "cuda:" + std::to_string(group->local_rank);
+        }
+        if (group && group->rank.rank > 0) {
+            set_log_level(LogLevel::error);
+        }
+        if (request.threads > 0) {
+            at::set_num_threads(static_cast<int>(request.threads));
+        }
+        // Numbers too small for full precision make a processor many times slower and mean nothing here.
+        at::globalContext().setFlushDenormal(true);
+        const training::Ranks ranks(group, torch::Device(own.device));
+        learning::TrainResult result = training::Trainer(own, ranks).run();
+        result.leads = ranks.leads();
+        return result;
+    }
+
+    void export_model(const std::filesystem::path& checkpoint, const std::filesystem::path& out) const override {
+        training::Checkpoint source(checkpoint);
+        const learning::ModelDescription about = source.description();
+        const std::shared_ptr<models::Network> network = source.network();
+        inference::write_torch_script(out, *network, about);
+        learning::write_safetensors(std::filesystem::path(out).replace_extension(".safetensors"),
+                                    plain_weights(*network, about));
+    }
+
+    [[nodiscard]] std::unique_ptr<learning::DegreeModel> load(const std::filesystem::path& file,
+                                                              const learning::RunOptions& options) const override {
+        expect_device(options.device);
+        if (inference::is_exported_model(file)) {
+            return inference::load_torch_script(file, options);
+        }
+        training::Checkpoint checkpoint(file);
+        return model_of(checkpoint, options);
+    }
+};
+
+}  // namespace
+
+const learning::Engine& torch_engine() {
+    static const TorchEngine engine;
+    return engine;
+}
+
+}  // namespace ddtool

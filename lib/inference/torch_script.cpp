@@ -1,0 +1,116 @@
+#include "inference/torch_script.hpp"
+
+#include <caffe2/serialize/inline_container.h>
+#include <torch/csrc/jit/frontend/tracer.h>
+#include <torch/script.h>
+
+#include <sstream>
+
+#include "base/atomic_file.hpp"
+#include "base/error.hpp"
+#include "inference/output_values.hpp"
+#include "inference/torch_model.hpp"
+
+namespace ddtool::inference {
+namespace {
+
+constexpr const char* description_file = "ddtool.json";
+
+/// A TorchScript module of the same shape that holds the very same tensors.
+torch::jit::Module owner_of(const torch::nn::Module& network, const std::string& name,
+                            const std::shared_ptr<torch::jit::CompilationUnit>& unit) {
+    // The name of a class may not be a number, as those of a Sequential's children are.
+    torch::jit::Module owner(c10::QualifiedName("__torch__.layer_" + name), unit, /*shouldMangle=*/true);
+    for (const auto& parameter : network.named_parameters(/*recurse=*/false)) {
+        owner.register_parameter(parameter.key(), parameter.value(), /*is_buffer=*/false);
+    }
+    for (const auto& buffer : network.named_buffers(/*recurse=*/false)) {
+        owner.register_buffer(buffer.key(), buffer.value());
+    }
+    for (const auto& child : network.named_children()) {
+        owner.register_module(child.key(), owner_of(*child.value(), child.key(), unit));
+    }
+    owner.register_attribute("training", c10::BoolType::get(), false);
+    return owner;
+}
+
+/// Records what the network does with a batch as the method "forward" of its owner.
+void trace_forward(torch::jit::Module& owner, models::Network& network, const learning::ModelDescription& description) {
+    const auto size = static_cast<std::int64_t>(description.image.size_px);
+    // Two images: with one, a step that only works for a batch of one would go unnoticed.
+    const torch::Tensor images = torch::zeros({2, 1, size, size}, network.parameters().front().options());
+    const auto forward = [&](torch::jit::Stack inputs) -> torch::jit::Stack {
+        const torch::Tensor logits = network.forward(inputs.at(0).toTensor()) / description.temperature;
+        return {output_values(description.loss, logits)};
+    };
+    const auto traced = torch::jit::tracer::trace(
+        {images}, forward, [](const torch::autograd::Variable&) { return std::string(); }, /*strict=*/true,
+        /*force_outplace=*/false, &owner, {"images"});
+    const c10::QualifiedName name(*owner.type()->name(), "forward");
+    owner.type()->addMethod(owner._ivalue()->compilation_unit()->create_function(name, traced.first->graph));
+}
+
+/// Every archive of LibTorch lists its files at the end under their names.
+bool has_file(const std::filesystem::path& path, const std::string& name) {
+    caffe2::serialize::PyTorchStreamReader reader(path.string());
+    return reader.hasRecord("extra/" + name);
+}
+
+learning::ModelDescription description_in(const std::string& text, const std::filesystem::path& path) {
+    if (text.empty()) {
+        throw Error(path.string() + ": not a model of ddtool: no " + description_file + " inside");
+    }
+    try {
+        return Json::parse(text).get<learning::ModelDescription>();
+    } catch (const Json::exception& error) {
+        throw Error(path.string() + ": its " + description_file + ": " + error.what());
+    }
+}
+
+}  // namespace
+
+void write_torch_script(const std::filesystem::path& path, models::Network& network,
+                        const learning::ModelDescription& description) {
+    network.eval();
+    const torch::NoGradGuard no_gradients;
+    torch::jit::Module owner = owner_of(network, "network", std::make_shared<torch::jit::CompilationUnit>());
+    trace_forward(owner, network, description);
+    std::ostringstream bytes;
+    owner.save(bytes, {{description_file, Json(description).dump(2)}});
+    write_file(path, bytes.view());
+}
+
+bool is_exported_model(const std::filesystem::path& path) {
+    if (!std::filesystem::is_regular_file(path)) {
+        throw Error(path.string() + ": no such file; expected a model of ddtool export, or a checkpoint");
+    }
+    try {
+        return has_file(path, description_file);
+    } catch (const c10::Error& error) {
+        throw Error(path.string() + ": neither a TorchScript model nor a checkpoint, or cut short");
+    }
+}
+
+std::unique_ptr<learning::DegreeModel> load_torch_script(const std::filesystem::path& path,
+                                                         const learning::RunOptions& options) {
+    torch::jit::ExtraFilesMap extra{{description_file, ""}};
+    torch::jit::Module module;
+    try {
+        module = torch::jit::load(path.string(), torch::Device(options.device), extra);
+    } catch (const c10::Error& error) {
+        throw Error(path.string() + ": not a TorchScript model: " + error.what_without_backtrace());
+    }
+    learning::ModelDescription description = description_in(extra.at(description_file), path);
+    module.eval();
+    if (options.precision == "bf16") {
+        module.to(torch::kBFloat16);
+    }
+    // Folds batch normalisation into the convolutions and lays the weights out for the processor. Only after loading:
+    // LibTorch 1.13 cannot save what this makes.
+    module = torch::jit::optimize_for_inference(module);
+    return std::make_unique<TorchModel>(
+        std::move(description),
+        [module](const torch::Tensor& images) mutable { return module.forward({images}).toTensor(); }, options);
+}
+
+}  // namespace ddtool::inference

@@ -1,0 +1,116 @@
+#include "training/checkpoint.hpp"
+
+#include <ATen/CPUGeneratorImpl.h>
+
+#include <sstream>
+
+#include "base/atomic_file.hpp"
+#include "base/error.hpp"
+
+namespace ddtool::training {
+namespace {
+
+constexpr const char* description_key = "description";
+constexpr const char* state_key = "state";
+constexpr const char* network_key = "network";
+constexpr const char* optimizer_key = "optimizer";
+constexpr const char* random_key = "random_state";
+
+void put_network(torch::serialize::OutputArchive& archive, const models::Network& network,
+                 const learning::ModelDescription& description) {
+    archive.write(description_key, torch::IValue(Json(description).dump()));
+    torch::serialize::OutputArchive weights(archive.compilation_unit());
+    network.save(weights);
+    archive.write(network_key, weights);
+}
+
+void write_archive(const std::filesystem::path& path, torch::serialize::OutputArchive& archive) {
+    std::ostringstream bytes;
+    archive.save_to(bytes);
+    write_file(path, bytes.view());
+}
+
+}  // namespace
+
+void write_checkpoint(const std::filesystem::path& path, const models::Network& network,
+                      const learning::ModelDescription& description) {
+    torch::serialize::OutputArchive archive;
+    put_network(archive, network, description);
+    write_archive(path, archive);
+}
+
+void write_checkpoint(const std::filesystem::path& path, const models::Network& network,
+                      const learning::ModelDescription& description, const torch::optim::Optimizer& optimizer,
+                      const TrainingState& state) {
+    torch::serialize::OutputArchive archive;
+    put_network(archive, network, description);
+    archive.write(state_key, torch::IValue(Json(state).dump()));
+    torch::serialize::OutputArchive moments(archive.compilation_unit());
+    optimizer.save(moments);
+    archive.write(optimizer_key, moments);
+    archive.write(random_key, at::detail::getDefaultCPUGenerator().get_state());
+    write_archive(path, archive);
+}
+
+template <typename Action>
+auto Checkpoint::guarded(Action&& action) {
+    try {
+        return action();
+    } catch (const c10::Error& error) {
+        throw Error(path_.string() +
+                    ": not a whole checkpoint: " + std::string(error.what_without_backtrace()).substr(0, 200));
+    } catch (const Json::exception& error) {
+        throw Error(path_.string() + ": damaged checkpoint: " + error.what());
+    }
+}
+
+Checkpoint::Checkpoint(const std::filesystem::path& path) : path_(path) {
+    const std::string bytes = read_file(path);
+    guarded([&] { archive_.load_from(bytes.data(), bytes.size(), torch::Device(torch::kCPU)); });
+}
+
+std::string Checkpoint::text(const char* key) {
+    torch::IValue value;
+    if (!guarded([&] { return archive_.try_read(key, value) && value.isString(); })) {
+        throw Error(path_.string() + ": no " + key + " in this checkpoint");
+    }
+    return value.toStringRef();
+}
+
+learning::ModelDescription Checkpoint::description() {
+    return guarded([&] { return Json::parse(text(description_key)).get<learning::ModelDescription>(); });
+}
+
+std::shared_ptr<models::Network> Checkpoint::network() {
+    const learning::ModelDescription about = description();
+    std::shared_ptr<models::Network> network = models::make_network(about.network, about.image.size_px);
+    guarded([&] {
+        torch::serialize::InputArchive weights;
+        archive_.read(network_key, weights);
+        network->load(weights);
+    });
+    network->eval();
+    return network;
+}
+
+TrainingState Checkpoint::state() {
+    return guarded([&] { return Json::parse(text(state_key)).get<TrainingState>(); });
+}
+
+void Checkpoint::restore(models::Network& network, torch::optim::Optimizer& optimizer) {
+    guarded([&] {
+        torch::serialize::InputArchive weights;
+        archive_.read(network_key, weights);
+        network.load(weights);
+        torch::serialize::InputArchive moments;
+        archive_.read(optimizer_key, moments);
+        optimizer.load(moments);
+        torch::Tensor random;
+        archive_.read(random_key, random);
+        at::Generator generator = at::detail::getDefaultCPUGenerator();
+        const std::lock_guard lock(generator.mutex());
+        generator.set_state(random);
+    });
+}
+
+}  // namespace ddtool::training

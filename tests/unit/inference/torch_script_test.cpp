@@ -1,0 +1,121 @@
+#include "inference/torch_script.hpp"
+
+#include <gmock/gmock.h>
+
+#include <cstdlib>
+#include <fstream>
+
+#include "base/atomic_file.hpp"
+#include "inference/output_values.hpp"
+#include "temporary_folder.hpp"
+#include "thrown_text.hpp"
+
+namespace ddtool::inference {
+namespace {
+
+constexpr std::int64_t size_px = 64;
+
+learning::ModelDescription described(const std::string& network, const std::string& loss) {
+    learning::ModelDescription about;
+    about.network = network;
+    about.loss = loss;
+    about.image.size_px = size_px;
+    about.temperature = 1.7;
+    about.dataset = "0123456789abcdef";
+    return about;
+}
+
+/// Sparse, as particle images are.
+torch::Tensor drawn_images(std::int64_t count) {
+    return (torch::rand({count, 1, size_px, size_px}) < 0.1).to(torch::kFloat32);
+}
+
+std::vector<double> degrees_by(learning::DegreeModel& model, const torch::Tensor& images) {
+    std::vector<double> degrees(static_cast<std::size_t>(images.size(0)));
+    model.run({images.data_ptr<float>(), static_cast<std::size_t>(images.numel())}, degrees);
+    return degrees;
+}
+
+void write_floats(const std::filesystem::path& path, const torch::Tensor& values) {
+    std::ofstream(path, std::ios::binary)
+        .write(reinterpret_cast<const char*>(values.data_ptr<float>()), values.numel() * 4);
+}
+
+/// A network whose batch statistics are those of some training.
+std::shared_ptr<models::Network> used_network(const std::string& name) {
+    torch::manual_seed(7);
+    auto network = models::make_network(name, size_px);
+    network->train();
+    for (int step = 0; step < 3; ++step) {
+        (void)network->forward(drawn_images(8));
+    }
+    network->eval();
+    return network;
+}
+
+class ExportedModel : public testing::TestWithParam<std::string> {
+protected:
+    void export_with(const std::string& loss) {
+        about_ = described(GetParam(), loss);
+        write_torch_script(path_, *network_, about_);
+    }
+    [[nodiscard]] torch::Tensor values(const torch::Tensor& images) const {
+        const torch::NoGradGuard no_gradients;
+        return output_values(about_.loss, network_->forward(images) / about_.temperature);
+    }
+
+    std::shared_ptr<models::Network> network_ = used_network(GetParam());
+    learning::ModelDescription about_;
+    test::TemporaryFolder folder_;
+    std::filesystem::path path_ = folder_ / "model.pt";
+};
+
+TEST_P(ExportedModel, AgreesWithTheNetworkForAnyBatch) {
+    for (const char* loss : {"cross-entropy", "bce"}) {
+        export_with(loss);
+        const auto model = load_torch_script(path_, {});
+        for (const std::int64_t count : {1, 2, 7, 64}) {
+            const torch::Tensor images = drawn_images(count);
+            const std::vector<double> degrees = degrees_by(*model, images);
+            const torch::Tensor expected = values(images).select(1, learning::degenerate_output);
+            for (std::int64_t index = 0; index < count; ++index) {
+                EXPECT_NEAR(degrees[static_cast<std::size_t>(index)], expected[index].item<double>(), 1e-5)
+                    << loss << ", image " << index << " of " << count;
+            }
+        }
+    }
+}
+
+TEST_P(ExportedModel, CarriesItsDescription) {
+    export_with("bce");
+    EXPECT_TRUE(is_exported_model(path_));
+    EXPECT_EQ(Json(load_torch_script(path_, {})->description()), Json(about_));
+}
+
+TEST_P(ExportedModel, OpensInPythonAndAgrees) {
+    export_with("cross-entropy");
+    const torch::Tensor images = drawn_images(3);
+    write_floats(folder_ / "images", images);
+    write_floats(folder_ / "values", values(images).contiguous());
+    const std::string command = std::string(DDTOOL_PYTHON " " DDTOOL_OPEN_MODEL " ") + path_.string() + " " +
+                                (folder_ / "images").string() + " " + (folder_ / "values").string();
+    EXPECT_EQ(std::system(command.c_str()), 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Networks, ExportedModel, testing::ValuesIn(models::network_names()), [](const auto& info) {
+    std::string name = info.param;
+    std::erase(name, '-');
+    return name;
+});
+
+TEST(LoadTorchScript, NamesAFileThatIsNone) {
+    const test::TemporaryFolder folder;
+    const std::filesystem::path path = folder / "model.pt";
+    EXPECT_THAT(test::thrown_text([&] { (void)is_exported_model(path); }), testing::StartsWith(path.string()));
+    write_file(path, "no archive");
+    EXPECT_THAT(test::thrown_text([&] { (void)is_exported_model(path); }), testing::StartsWith(path.string()));
+    EXPECT_THAT(test::thrown_text([&] { (void)load_torch_script(path, {}); }), testing::StartsWith(path.string()));
+}
+
+}  // namespace
+}  // namespace ddtool::inference
