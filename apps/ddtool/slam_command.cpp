@@ -19,25 +19,18 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-void check_method(const std::string& method) {
-    if (method != "gmapping") {
-        throw UsageError("method: expected gmapping, not '" + method + "'");
-    }
-}
-
 /// The filter's particles live in here only, so that their memory can be given back before the pictures are drawn.
-FilterRun run_over(LogStream& log, const RbpfSettings& settings, std::size_t thread_count,
+FilterRun run_over(DrivenScans& scans, const FilterSettings& settings, std::size_t thread_count,
                    const InterruptRequest& interrupt, RunFolder& folder) {
     ThreadPool threads(thread_count);
-    Rbpf filter(settings, threads);
-    folder.record_snapshots_of(filter);
+    const std::unique_ptr<Rbpf> filter = make_filter(settings, DetectorTable(), threads);
+    folder.record_snapshots_of(*filter);
     Progress progress("slam", "scans");
-    DrivenScans scans(log, settings);
-    return run_filter(scans.frames(), filter, [&](const SensorFrame& frame, bool moved) {
+    return run_filter(scans, *filter, [&](const SensorFrame& frame, bool moved) {
         if (moved) {
-            folder.add(frame, filter);
+            folder.add(frame, *filter);
         }
-        progress.update(log.fraction_read(), log.summary().scans);
+        progress.update(scans.fraction_read(), scans.summary().scans);
         return !interrupt.made();
     });
 }
@@ -72,7 +65,9 @@ void SlamCommand::add_options(CLI::App& app) {
     app.add_option("--out", folder_, "Folder for the results; created where it is not there")
         ->type_name("DIR")
         ->required();
-    bind_option(app, "--method", "method", "gmapping: particle filter after Grisetti et al. 2007");
+    bind_option(app, "--method", "filter.method", "One of " + joined(method_names()));
+    bind_option(app, "--detector", "filter.detector",
+                "covariance, step-spread, neff, oracle, none or a model's file; empty: the method's own");
     bind_option(app, "--particles", "filter.particles", "Hypotheses, each with its own map");
     bind_option(app, "--seed", "filter.seed", "Of all chance: the same seed gives the same result");
     app.add_option("--threads", threads_, "0: every core; the result does not depend on it")
@@ -86,18 +81,17 @@ void SlamCommand::add_options(CLI::App& app) {
 }
 
 Json SlamCommand::default_settings() const {
-    return {{"method", "gmapping"}, {"log", default_log_settings()}, {"filter", filter_settings_json({})}};
+    return {{"log", default_log_settings()}, {"filter", filter_settings_json({})}};
 }
 
 ExitCode SlamCommand::run(const Json& settings) {
     const auto start = Clock::now();
-    check_method(settings.at("method"));
-    const RbpfSettings filter_settings = filter_settings_from_json(settings.at("filter"));
+    const FilterSettings filter_settings = filter_settings_from_json(settings.at("filter"));
     LogReport problems;
-    const auto log = open_log(log_file_, log_options(settings.at("log")), problems.handler());
+    DrivenScans scans(open_log(log_file_, log_options(settings.at("log")), problems.handler()), filter_settings.rbpf);
     const InterruptRequest interrupt;
     RunFolder folder(folder_, with_snapshots_);
-    const FilterRun result = run_over(*log, filter_settings, threads_, interrupt, folder);
+    const FilterRun result = run_over(scans, filter_settings, threads_, interrupt, folder);
     return_freed_memory();  // the particles' maps, before pictures are drawn
     if (result.trajectory.empty()) {
         throw Error(log_file_ + ": no scans that can be used");
@@ -110,14 +104,14 @@ ExitCode SlamCommand::run(const Json& settings) {
     const Json report{{"command", "slam"},
                       {"versions", version_report()},
                       {"settings", settings},
-                      {"log", log_report(log_file_, log->summary())},
+                      {"log", log_report(log_file_, scans.summary())},
                       {"interrupted", interrupt.made()},
                       {"run", run},
                       {"cost", cost_report(threads_, start)}};
     folder.write_json("run.json", report);
     std::cout << (as_json_ ? report.dump(2) + "\n" : slam_summary(report, folder_, folder.files()));
-    const ExitCode log_loss = problems.finish(log->summary());
-    return warn_of_loss(log_file_, log->summary(), interrupt, result) ? ExitCode::done_with_loss : log_loss;
+    const ExitCode log_loss = problems.finish(scans.summary());
+    return warn_of_loss(log_file_, scans.summary(), interrupt, result) ? ExitCode::done_with_loss : log_loss;
 }
 
 }  // namespace ddtool

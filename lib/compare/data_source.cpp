@@ -9,6 +9,7 @@
 #include "sim/simulation_json.hpp"
 #include "sim/world_catalogue.hpp"
 #include "sim/world_fingerprint.hpp"
+#include "slam/driven_scans.hpp"
 
 namespace ddtool::compare {
 namespace {
@@ -62,7 +63,7 @@ DataSource WorldEntry::logged() const {
         source.identity[key] = text(key).empty() ? "" : file_fingerprint(text(key));
     }
     source.open = [path = text("log")](const LogProblemHandler& on_problem) {
-        return open_log(path, LogOptions{}, on_problem);
+        return std::make_unique<DrivenScans>(open_log(path, LogOptions{}, on_problem), RbpfSettings{});
     };
     return source;
 }

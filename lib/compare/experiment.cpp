@@ -15,13 +15,14 @@ namespace {
 /// Raised when results of before can no longer be compared with new ones.
 constexpr int format = 1;
 
-template <typename Entry>
-std::vector<Entry> entries_from(const Json& settings, const std::string& list, const std::string& common) {
+template <typename Entry, typename... Context>
+std::vector<Entry> entries_from(const Json& settings, const std::string& list, const std::string& common,
+                                const Context&... context) {
     std::vector<Entry> entries;
     std::set<std::string> names;
     for (const Json& item : settings.at(list)) {
         const std::string where = list + "[" + std::to_string(entries.size()) + "]";
-        entries.emplace_back(item, settings.at(common), where);
+        entries.emplace_back(item, settings.at(common), where, context...);
         if (!names.insert(file_name_of(entries.back().name())).second) {
             throw UsageError(where + ": the name '" + entries.back().name() + "' was given before");
         }
@@ -80,9 +81,9 @@ Json default_experiment_json() {
             {"score", {{"align", "se2"}, {"max_time_difference_s", default_max_time_difference_s}}}};
 }
 
-Experiment experiment_from_json(const Json& settings) {
+Experiment experiment_from_json(const Json& settings, const DetectorTable& detectors) {
     Experiment experiment{.worlds = entries_from<WorldEntry>(settings, "worlds", "simulation"),
-                          .methods = entries_from<MethodEntry>(settings, "methods", "filter"),
+                          .methods = entries_from<MethodEntry>(settings, "methods", "filter", detectors),
                           .seeds = seeds_from(settings.at("seeds")),
                           .score = score_from(settings.at("score"))};
     experiment.baseline = baseline_from(settings.at("baseline").get<std::string>(), experiment.methods);

@@ -25,8 +25,9 @@ struct Experiment {
 /// Every setting of an experiment with its default: the keys a configuration may have.
 Json default_experiment_json();
 
-/// Throws UsageError naming the key for what makes no sense: nothing to compare, a name given twice, an unknown one.
-Experiment experiment_from_json(const Json& settings);
+/// detectors: those that methods may name. Throws UsageError naming the key for what makes no sense: nothing to
+/// compare, a name given twice, an unknown one.
+Experiment experiment_from_json(const Json& settings, const DetectorTable& detectors = {});
 
 /// One method on one world with one seed.
 struct Cell {

@@ -5,7 +5,6 @@
 #include "base/pattern.hpp"
 #include "base/thread_pool.hpp"
 #include "geometry/tum_file.hpp"
-#include "slam/rbpf.hpp"
 #include "slam/settings_json.hpp"
 
 namespace ddtool::compare {
@@ -25,13 +24,14 @@ private:
 /// On one thread: the comparison runs many at once.
 class FilterMethod : public Method {
 public:
-    explicit FilterMethod(const RbpfSettings& settings) : filter_(settings, threads_) {}
-    void process(const SensorFrame& frame) override { filter_.process(frame); }
-    Trajectory trajectory() override { return filter_.trajectory(); }
+    FilterMethod(const FilterSettings& settings, const DetectorTable& detectors)
+        : filter_(make_filter(settings, detectors, threads_)) {}
+    void process(const SensorFrame& frame) override { filter_->process(frame); }
+    Trajectory trajectory() override { return filter_->trajectory(); }
 
 private:
     ThreadPool threads_{1};
-    Rbpf filter_;
+    std::unique_ptr<Rbpf> filter_;
 };
 
 /// What another program made of the same log.
@@ -58,7 +58,7 @@ Json method_defaults(const std::string& kind, const Json& filter, const std::str
     throw UsageError(where + ": kind '" + kind + "': expected filter, odometry or external");
 }
 
-RbpfSettings filter_settings(const Json& method, std::uint64_t seed) {
+FilterSettings filter_settings(const Json& method, std::uint64_t seed) {
     Json filter = method.at("filter");
     filter["seed"] = seed;
     return filter_settings_from_json(filter);
@@ -72,15 +72,17 @@ std::string kind_of(const Json& item) {
 
 }  // namespace
 
-MethodEntry::MethodEntry(const Json& item, const Json& filter, const std::string& where)
-    : kind_(kind_of(item)), settings_(method_defaults(kind_, filter, where)) {
+MethodEntry::MethodEntry(const Json& item, const Json& filter, const std::string& where, DetectorTable detectors)
+    : kind_(kind_of(item)), settings_(method_defaults(kind_, filter, where)), detectors_(std::move(detectors)) {
     merge_settings(settings_, item, where);
     name_ = settings_.at("name").get<std::string>();
     if (name_.empty()) {
         throw UsageError(where + ": expected a name");
     }
     if (kind_ == "filter") {
-        (void)filter_settings(settings_, 0);  // a value that makes no sense shows now, not in every run
+        ThreadPool one(1);
+        (void)make_filter(filter_settings(settings_, 0), detectors_,
+                          one);  // what makes no sense shows now, not in every run
     }
     if (kind_ == "external" && settings_.at("trajectories").get<std::string>().empty()) {
         throw UsageError(where + ": expected trajectories, the path of TUM files with {world} and {seed} in it");
@@ -89,7 +91,7 @@ MethodEntry::MethodEntry(const Json& item, const Json& filter, const std::string
 
 Json MethodEntry::identity(const std::string& world, std::uint64_t seed) const {
     if (kind_ == "filter") {
-        return {{"kind", kind_}, {"filter", settings_.at("filter")}, {"seed", seed}};
+        return {{"kind", kind_}, {"filter", settings_.at("filter")}, {"model", model_fingerprint()}, {"seed", seed}};
     }
     if (kind_ == "external") {
         return {{"kind", kind_}, {"file", file_fingerprint(file(world, seed))}};
@@ -99,12 +101,18 @@ Json MethodEntry::identity(const std::string& world, std::uint64_t seed) const {
 
 std::unique_ptr<Method> MethodEntry::start(const std::string& world, std::uint64_t seed) const {
     if (kind_ == "filter") {
-        return std::make_unique<FilterMethod>(filter_settings(settings_, seed));
+        return std::make_unique<FilterMethod>(filter_settings(settings_, seed), detectors_);
     }
     if (kind_ == "external") {
         return std::make_unique<ExternalMethod>(file(world, seed));
     }
     return std::make_unique<OdometryMethod>();
+}
+
+/// Of the detector's file; empty where it has none.
+std::string MethodEntry::model_fingerprint() const {
+    const std::string detector = parts_of(filter_settings(settings_, 0).method).detector;
+    return detectors_.is_file(detector) ? file_fingerprint(detector) : "";
 }
 
 std::string MethodEntry::file(const std::string& world, std::uint64_t seed) const {

@@ -7,6 +7,7 @@
 #include "base/settings.hpp"
 #include "geometry/trajectory.hpp"
 #include "sensor/sensor_stream.hpp"
+#include "slam/detector_table.hpp"
 
 namespace ddtool::compare {
 
@@ -28,7 +29,7 @@ class MethodEntry {
 public:
     /// From an item of `methods` (docs/compare.md). `filter` holds the settings of the experiment for all filters.
     /// Throws UsageError naming `where` and the key.
-    MethodEntry(const Json& item, const Json& filter, const std::string& where);
+    MethodEntry(const Json& item, const Json& filter, const std::string& where, DetectorTable detectors);
 
     [[nodiscard]] const std::string& name() const { return name_; }
     /// Everything that, with the data, decides the trajectory.
@@ -36,11 +37,13 @@ public:
     [[nodiscard]] std::unique_ptr<Method> start(const std::string& world, std::uint64_t seed) const;
 
 private:
+    [[nodiscard]] std::string model_fingerprint() const;
     [[nodiscard]] std::string file(const std::string& world, std::uint64_t seed) const;
 
     std::string name_;
     std::string kind_;
     Json settings_;
+    DetectorTable detectors_;
 };
 
 }  // namespace ddtool::compare

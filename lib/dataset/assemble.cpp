@@ -35,7 +35,7 @@ private:
 };
 
 RbpfSettings filter_of(const PlannedRun& run) {
-    return run.configuration.contains("filter") ? filter_settings_from_json(run.configuration.at("filter"))
+    return run.configuration.contains("filter") ? filter_settings_from_json(run.configuration.at("filter")).rbpf
                                                 : RbpfSettings{};
 }
 

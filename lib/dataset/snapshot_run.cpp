@@ -60,10 +60,11 @@ double median_range_m(const LaserScan& scan) {
 class Recorder {
 public:
     explicit Recorder(const PlannedRun& run)
-        : thinning_(thinning_of(run)), filter_(filter_settings_from_json(run.configuration.at("filter")), threads_) {}
+        : thinning_(thinning_of(run)),
+          filter_(make_filter(filter_settings_from_json(run.configuration.at("filter")), DetectorTable(), threads_)) {}
 
     void process(const SensorFrame& frame, const Knowledge& knowledge) {
-        filter_.on_snapshot([&](const ParticleSnapshot& snapshot, const Degeneracy& /*degeneracy*/) {
+        filter_->on_snapshot([&](const ParticleSnapshot& snapshot, const Degeneracy& /*degeneracy*/) {
             thinning_.offer([&] {
                 Sample sample = sample_of(snapshot);
                 const auto [matrix, range_sd_m] = knowledge();
@@ -74,18 +75,18 @@ public:
                 return sample;
             });
         });
-        filter_.process(frame);
+        filter_->process(frame);
         ++scans_;
     }
 
-    [[nodiscard]] std::uint64_t updates() const { return filter_.updates(); }
+    [[nodiscard]] std::uint64_t updates() const { return filter_->updates(); }
 
     SnapshotRun finish() { return {thinning_.take(), scans_, thinning_.offered(), 0}; }
 
 private:
     SnapshotThinning thinning_;
     ThreadPool threads_{1};  // many runs at once instead
-    Rbpf filter_;
+    std::unique_ptr<Rbpf> filter_;
     std::uint64_t scans_ = 0;
 };
 
@@ -110,16 +111,15 @@ SnapshotRun filter_world(const PlannedRun& run, const OnProgress& on_progress) {
 
 SnapshotRun filter_log(const PlannedRun& run, const OnProgress& on_progress) {
     std::uint64_t problems = 0;
-    const auto stream = open_log(run.input, LogOptions{}, [&](const LogProblem&) { ++problems; });
     const auto range_sd_m = run.configuration.at("range_sd_m").get<double>();
-    const RbpfSettings filter = filter_settings_from_json(run.configuration.at("filter"));
-    DrivenScans scans(*stream, filter);
+    const RbpfSettings filter = filter_settings_from_json(run.configuration.at("filter")).rbpf;
+    DrivenScans scans(open_log(run.input, LogOptions{}, [&](const LogProblem&) { ++problems; }), filter);
     Recorder recorder(run);
-    while (const std::optional<SensorFrame> frame = scans.frames().next()) {
+    while (const std::optional<SensorFrame> frame = scans.next()) {
         recorder.process(*frame, [&]() -> ScanKnowledge {
             return {scan_information(scan_points(*frame, filter.points), range_sd_m), range_sd_m};
         });
-        on_progress(stream->fraction_read());
+        on_progress(scans.fraction_read());
     }
     SnapshotRun made = recorder.finish();
     made.log_problems = problems;

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "geometry/pose2.hpp"
@@ -23,6 +25,8 @@ struct ParticleSnapshot {
     std::uint64_t update = 0;  ///< filter updates before this one
     Pose2 odometry_motion;     ///< noise-free odometry motion since the last update, in the robot's previous frame
     std::vector<SnapshotParticle> particles;
+    /// Of the scan, at the true pose, where the source knows it: see SensorFrame.
+    std::optional<Eigen::Matrix3d> fisher_information = std::nullopt;
 };
 
 }  // namespace ddtool

@@ -67,7 +67,8 @@ void set_normal(ScanPoints& points, std::size_t point, const ScanPointsSettings&
     points.normal_x[point] = static_cast<float>(-std::sin(line_angle_rad));
     points.normal_y[point] = static_cast<float>(std::cos(line_angle_rad));
     const double flatness = std::sqrt(smallest / std::max(largest, 1e-12));
-    points.along_weight[point] = static_cast<float>(std::min(flatness, 1.0));
+    const double roughness = std::clamp((flatness - settings.line_flatness) / (1.0 - settings.line_flatness), 0.0, 1.0);
+    points.along_weight[point] = static_cast<float>(roughness * roughness);
 }
 
 /// Neighbouring end points on the way to becoming one.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <optional>
 
 #include "geometry/pose2.hpp"
@@ -13,6 +14,8 @@ struct SensorFrame {
     Pose2 robot_from_laser;                 ///< the lidar's mounting
     Pose2 odom_from_robot;                  ///< odometry, interpolated to the scan's stamp
     std::optional<Pose2> world_from_robot;  ///< ground truth at the scan's stamp, where the source has it
+    /// What the scan tells of the true pose (sim/fisher_information.hpp), where the source has it.
+    std::optional<Eigen::Matrix3d> fisher_information = std::nullopt;
 };
 
 /// Frames in the order of the source. Logs and the simulator make it, the filter eats it; neither knows the other.

@@ -9,7 +9,7 @@ std::optional<SensorFrame> SimulatedStream::next() {
         return std::nullopt;
     }
     SimulatedFrame frame = simulation_.frame(next_++);
-    fisher_information_ = frame.fisher_information;
+    frame.frame.fisher_information = frame.fisher_information;
     return std::move(frame.frame);
 }
 

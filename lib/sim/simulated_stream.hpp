@@ -13,14 +13,11 @@ public:
     std::optional<SensorFrame> next() override;
     [[nodiscard]] double fraction_read() const override;
 
-    /// Of the frame that next() returned last; zero before the first.
-    [[nodiscard]] const Eigen::Matrix3d& fisher_information() const { return fisher_information_; }
     [[nodiscard]] const Simulation& simulation() const { return simulation_; }
 
 private:
     Simulation simulation_;
     std::size_t next_ = 0;
-    Eigen::Matrix3d fisher_information_ = Eigen::Matrix3d::Zero();
 };
 
 }  // namespace ddtool::sim

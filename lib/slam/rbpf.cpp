@@ -1,11 +1,13 @@
 #include "slam/rbpf.hpp"
 
 #include <Eigen/Dense>
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "particles/weights.hpp"
+#include "slam/pose_covariance.hpp"
 
 namespace ddtool {
 namespace {
@@ -17,6 +19,15 @@ enum Purpose : std::uint64_t { motion_draw = 1, resampling_draw = 2 };
 double motion_share(const Pose2& motion, const RbpfSettings& settings) {
     return std::max(std::hypot(motion.x_m, motion.y_m) / settings.update_distance_m,
                     std::abs(motion.theta_rad) / settings.update_turn_rad);
+}
+
+/// A pause in a log is no time in which a gyro drifted.
+constexpr double longest_step_s = 2.0;
+
+Eigen::Matrix3d in_robot_frame(const Eigen::Matrix3d& information, double theta_rad) {
+    Eigen::Matrix3d world_from_robot = Eigen::Matrix3d::Identity();
+    world_from_robot.topLeftCorner<2, 2>() = Eigen::Rotation2Dd(theta_rad).toRotationMatrix();
+    return world_from_robot.transpose() * information * world_from_robot;
 }
 
 PosePrior prior_of(const Pose2& odometry_motion, const RbpfSettings& settings) {
@@ -33,6 +44,9 @@ Rbpf::Rbpf(const RbpfSettings& settings, ThreadPool& threads, FilterStrategies s
     if (!strategies_.resampling) {
         strategies_.resampling = std::make_shared<SystematicResampling>();
     }
+    if (!strategies_.odometry) {
+        strategies_.odometry = std::make_shared<FixedOdometry>(settings_.motion);
+    }
     for (std::size_t worker = 0; worker < threads_.size(); ++worker) {
         workers_.push_back({ScanMatcher(settings_.matcher, settings_.grid.cell_size_m), ScanInserter()});
     }
@@ -46,10 +60,11 @@ bool Rbpf::process(const SensorFrame& frame) {
     if (first) {
         start(frame);
     } else if (moved) {
-        update(frame, motion);
+        update(frame, step_to(frame, motion));
     }
     if (moved) {
         odom_at_update_ = frame.odom_from_robot;
+        stamp_at_update_ns_ = frame.scan.stamp_ns;
         odometry_motions_.push_back(motion);
         ++updates_;
     }
@@ -69,7 +84,13 @@ void Rbpf::start(const SensorFrame& frame) {
     remember();
 }
 
-void Rbpf::update(const SensorFrame& frame, const Pose2& odometry_motion) {
+Rbpf::Step Rbpf::step_to(const SensorFrame& frame, const Pose2& odometry_motion) const {
+    const double elapsed_s = 1e-9 * static_cast<double>(frame.scan.stamp_ns - stamp_at_update_ns_);
+    const double duration_s = std::clamp(elapsed_s, 0.0, longest_step_s);
+    return {odometry_motion, duration_s, strategies_.odometry->expected(odometry_motion, duration_s)};
+}
+
+void Rbpf::update(const SensorFrame& frame, const Step& step) {
     ScanPoints points;
     MatchPoints match_points;
     {
@@ -77,8 +98,8 @@ void Rbpf::update(const SensorFrame& frame, const Pose2& odometry_motion) {
         points = scan_points(frame, settings_.points);
         match_points = MatchPoints(points, settings_.grid.cell_size_m);
     }
-    predict_and_match(match_points, odometry_motion);
-    ParticleSnapshot swarm = snapshot(frame.scan.stamp_ns, odometry_motion);
+    predict_and_match(match_points, step);
+    ParticleSnapshot swarm = snapshot(frame, step.odometry_motion);
     Degeneracy degeneracy;
     if (strategies_.detector) {
         const StageTimer timer(times_.detect_s);
@@ -87,10 +108,12 @@ void Rbpf::update(const SensorFrame& frame, const Pose2& odometry_motion) {
     if (sink_) {
         sink_(swarm, degeneracy);
     }
-    if (strategies_.correction) {
-        correct(match_points, odometry_motion, degeneracy);
-        swarm = snapshot(frame.scan.stamp_ns, odometry_motion);
+    if (!strategies_.corrections.empty()) {
+        correct(match_points, step, degeneracy);
+        swarm = snapshot(frame, step.odometry_motion);
     }
+    correct_covariances();
+    learn_odometry(step);
     resample_if_poor(swarm, degeneracy);
     const Pose2 since = between(odom_at_insertion_, frame.odom_from_robot);
     if (std::hypot(since.x_m, since.y_m) >= settings_.insert_distance_m ||
@@ -100,16 +123,18 @@ void Rbpf::update(const SensorFrame& frame, const Pose2& odometry_motion) {
     remember();
 }
 
-void Rbpf::predict_and_match(const MatchPoints& points, const Pose2& odometry_motion) {
+void Rbpf::predict_and_match(const MatchPoints& points, const Step& step) {
     const StageTimer timer(times_.match_s);
-    const PosePrior prior = prior_of(odometry_motion, settings_);
+    const PosePrior prior = prior_of(step.expected_motion, settings_);
+    const MotionSigmas sigmas = strategies_.odometry->sigmas(step.odometry_motion, step.duration_s);
     threads_.for_each(particles_.size(), [&](std::size_t index, std::size_t worker) {
         Particle& particle = particles_[index];
         ScanMatcher& matcher = workers_[worker].matcher;
         RandomStream random({settings_.seed, motion_draw, updates_, index});
-        particle.predicted_motion = sample_motion(odometry_motion, settings_.motion, random);
+        particle.predicted_motion = sample_motion(step.expected_motion, settings_.motion, random);
         const Pose2 from = particle.pose;
         const Pose2 predicted = from * particle.predicted_motion;
+        particle.covariance = predicted_covariance(particle.covariance, from, step.expected_motion, sigmas);
         settle(particle, from, points, matcher, matcher.match(particle.grid, points, predicted, prior), predicted);
         particle.log_likelihood += particle.match.log_likelihood;
     });
@@ -124,13 +149,13 @@ void Rbpf::settle(Particle& particle, const Pose2& from, const MatchPoints& poin
     particle.matched_motion = between(from, particle.pose);
 }
 
-ParticleSnapshot Rbpf::snapshot(std::int64_t stamp_ns, const Pose2& odometry_motion) const {
+ParticleSnapshot Rbpf::snapshot(const SensorFrame& frame, const Pose2& odometry_motion) const {
     std::vector<double> log_weights;
     for (const Particle& particle : particles_) {
         log_weights.push_back(settings_.likelihood_gain * particle.log_likelihood);
     }
     const std::vector<double> weights = normalised_weights(log_weights);
-    ParticleSnapshot swarm{stamp_ns, updates_, odometry_motion, {}};
+    ParticleSnapshot swarm{frame.scan.stamp_ns, updates_, odometry_motion, {}, frame.fisher_information};
     for (std::size_t index = 0; index < particles_.size(); ++index) {
         const Particle& particle = particles_[index];
         swarm.particles.push_back({particle.pose, particle.matched_motion, particle.predicted_motion,
@@ -140,20 +165,44 @@ ParticleSnapshot Rbpf::snapshot(std::int64_t stamp_ns, const Pose2& odometry_mot
     return swarm;
 }
 
-void Rbpf::correct(const MatchPoints& points, const Pose2& odometry_motion, const Degeneracy& degeneracy) {
+void Rbpf::correct(const MatchPoints& points, const Step& step, const Degeneracy& degeneracy) {
     const StageTimer timer(times_.correct_s);
-    const PosePrior prior = prior_of(odometry_motion, settings_);
+    const MotionSigmas sigmas = strategies_.odometry->sigmas(step.odometry_motion, step.duration_s);
+    const PosePrior prior = prior_of(step.expected_motion, settings_);
     threads_.for_each(particles_.size(), [&](std::size_t index, std::size_t worker) {
         Particle& particle = particles_[index];
         ScanMatcher& matcher = workers_[worker].matcher;
         const Pose2 from = particle.pose * inverse(particle.matched_motion);
         const MatchContext context{
-            matcher, particle.grid, points, from * particle.predicted_motion, from * odometry_motion, prior};
+            matcher,
+            particle.grid,
+            points,
+            from * particle.predicted_motion,
+            prior,
+            from * step.expected_motion,
+            predicted_covariance(Eigen::Matrix3d::Zero(), from, step.expected_motion, sigmas).inverse(),
+            settings_.min_match_score};
         const double before = particle.match.log_likelihood;
-        settle(particle, from, points, matcher, strategies_.correction->correct(context, particle.match, degeneracy),
-               context.predicted);
+        for (const auto& correction : strategies_.corrections) {
+            particle.match = correction->correct(context, particle.match, degeneracy);
+        }
+        particle.pose = particle.match.pose;
+        particle.matched_motion = between(from, particle.pose);
         particle.log_likelihood += particle.match.log_likelihood - before;
     });
+}
+
+/// How sure each particle is of its pose, now that the scan has been matched.
+void Rbpf::correct_covariances() {
+    for (Particle& particle : particles_) {
+        particle.covariance = corrected_covariance(particle.covariance, particle.match.information);
+    }
+}
+
+void Rbpf::learn_odometry(const Step& step) {
+    const Particle& particle = best();
+    strategies_.odometry->learn({step.odometry_motion, particle.matched_motion, step.duration_s,
+                                 in_robot_frame(particle.match.information, particle.pose.theta_rad)});
 }
 
 void Rbpf::resample_if_poor(const ParticleSnapshot& swarm, const Degeneracy& degeneracy) {

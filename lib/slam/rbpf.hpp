@@ -44,6 +44,8 @@ struct Particle {
     double log_likelihood = 0.0;  ///< since the last resampling; the weight is its exponential, after the gain
     PoseHistory::Node history = PoseHistory::none;
     OccupancyGrid grid;
+    /// Of the pose relative to the particle's map (x, y, theta in the world).
+    Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
 };
 
 /// Rao-Blackwellised particle filter with one grid map a particle (Grisetti, Stachniss, Burgard, "Improved techniques
@@ -79,16 +81,25 @@ private:
         Pose2 motion;              ///< odometry since that update, in the robot's frame there
         double share = 0.0;        ///< of the way to the next update
     };
+    /// The way since the last update.
+    struct Step {
+        Pose2 odometry_motion;
+        double duration_s = 0.0;
+        Pose2 expected_motion;  ///< by the odometry model
+    };
     struct Worker {
         ScanMatcher matcher;
         ScanInserter inserter;
     };
 
     void start(const SensorFrame& frame);
-    void update(const SensorFrame& frame, const Pose2& odometry_motion);
-    void predict_and_match(const MatchPoints& points, const Pose2& odometry_motion);
-    [[nodiscard]] ParticleSnapshot snapshot(std::int64_t stamp_ns, const Pose2& odometry_motion) const;
-    void correct(const MatchPoints& points, const Pose2& odometry_motion, const Degeneracy& degeneracy);
+    void update(const SensorFrame& frame, const Step& step);
+    [[nodiscard]] Step step_to(const SensorFrame& frame, const Pose2& odometry_motion) const;
+    void predict_and_match(const MatchPoints& points, const Step& step);
+    [[nodiscard]] ParticleSnapshot snapshot(const SensorFrame& frame, const Pose2& odometry_motion) const;
+    void correct(const MatchPoints& points, const Step& step, const Degeneracy& degeneracy);
+    void correct_covariances();
+    void learn_odometry(const Step& step);
     void settle(Particle& particle, const Pose2& from, const MatchPoints& points, ScanMatcher& matcher,
                 const ScanMatch& match, const Pose2& predicted) const;
     void resample_if_poor(const ParticleSnapshot& swarm, const Degeneracy& degeneracy);
@@ -105,6 +116,7 @@ private:
     std::vector<ScanRecord> scans_;
     std::vector<Pose2> odometry_motions_;  ///< odometry motion before each update
     Pose2 odom_at_update_;
+    std::int64_t stamp_at_update_ns_ = 0;
     Pose2 odom_at_insertion_;
     std::uint64_t updates_ = 0;
     std::uint64_t resamplings_ = 0;

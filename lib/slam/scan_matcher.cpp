@@ -71,6 +71,8 @@ std::vector<float> padded(const std::vector<float>& values, double scale) {
     return result;
 }
 
+}  // namespace
+
 Eigen::Matrix3d information_of(const PosePrior& prior, double theta_rad) {
     Eigen::Matrix3d world_from_robot = Eigen::Matrix3d::Identity();
     const double c = std::cos(theta_rad);
@@ -79,8 +81,6 @@ Eigen::Matrix3d information_of(const PosePrior& prior, double theta_rad) {
     const Eigen::Vector3d sigma(prior.sigma_along_m, prior.sigma_across_m, prior.sigma_turn_rad);
     return world_from_robot * sigma.cwiseAbs2().cwiseInverse().asDiagonal() * world_from_robot.transpose();
 }
-
-}  // namespace
 
 MatchPoints::MatchPoints(const ScanPoints& points, double cell_size_m)
     : x(padded(points.x_m, 1.0 / cell_size_m)),

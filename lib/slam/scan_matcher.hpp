@@ -48,6 +48,9 @@ struct PosePrior {
     double sigma_turn_rad = 1.0;
 };
 
+/// The prior as information about (x, y, theta) in the world, for a robot of that heading.
+Eigen::Matrix3d information_of(const PosePrior& prior, double theta_rad);
+
 struct ScanMatch {
     Pose2 pose;          ///< world_from_robot
     double score = 0.0;  ///< mean over the beams of (1 - q / reach^2)^3, q the squared distance to the mapped surface

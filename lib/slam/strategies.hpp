@@ -6,6 +6,7 @@
 
 #include "base/random.hpp"
 #include "particles/degeneracy_detector.hpp"
+#include "slam/odometry_model.hpp"
 #include "slam/scan_matcher.hpp"
 
 namespace ddtool {
@@ -16,8 +17,11 @@ struct MatchContext {
     const OccupancyGrid& grid;
     const MatchPoints& points;
     Pose2 predicted;  ///< world_from_robot, sampled from the motion model
-    Pose2 odometry;   ///< world_from_robot by the odometry motion without noise
-    PosePrior prior;
+    PosePrior prior;  ///< about `predicted`, that the match was made with
+    Pose2 odometry;   ///< world_from_robot, the likeliest by the odometry model
+    /// Of (x, y, theta) in the world: what odometry says of the pose since the scans last told as much.
+    Eigen::Matrix3d odometry_information;
+    double min_match_score = 0.0;  ///< a match with a lower score is none
 };
 
 /// May replace the pose that scan matching found, knowing how degenerate the swarm is.
@@ -49,11 +53,13 @@ public:
                                      RandomStream& random) const override;
 };
 
-/// What makes a method of the filter. Empty members mean: never degenerate, keep the match, resample systematically.
+/// What makes a method of the filter. Empty members mean: never degenerate, keep the match, resample systematically,
+/// take the odometry as it is.
 struct FilterStrategies {
     DegeneracyDetector detector;
-    std::shared_ptr<const PoseCorrection> correction;
+    std::vector<std::shared_ptr<const PoseCorrection>> corrections;  ///< each takes what the one before found
     std::shared_ptr<const Resampling> resampling;
+    std::shared_ptr<OdometryModel> odometry;
 };
 
 }  // namespace ddtool

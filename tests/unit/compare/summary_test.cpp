@@ -24,7 +24,8 @@ Made made(std::size_t seeds, AteOf&& ate_of) {
         all.experiment.worlds.emplace_back(Json(name), Json::object(), "test");
     }
     for (const char* name : {"first", "second"}) {
-        all.experiment.methods.emplace_back(Json{{"name", name}, {"kind", "odometry"}}, Json::object(), "test");
+        all.experiment.methods.emplace_back(Json{{"name", name}, {"kind", "odometry"}}, Json::object(), "test",
+                                            DetectorTable());
     }
     for (std::size_t seed = 0; seed < seeds; ++seed) {
         all.experiment.seeds.push_back(seed + 1);

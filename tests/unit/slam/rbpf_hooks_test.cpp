@@ -111,7 +111,7 @@ public:
 
 TEST(Correction, ThatKeepsTheMatchChangesNothing) {
     FilterStrategies strategies;
-    strategies.correction = std::make_shared<KeepMatch>();
+    strategies.corrections = {std::make_shared<KeepMatch>()};
     const Trajectory plain = filtered(room_drive(), few_particles());
     const Trajectory kept = filtered(room_drive(), few_particles(), strategies);
     for (std::size_t i = 0; i < plain.size(); ++i) {
@@ -122,44 +122,27 @@ TEST(Correction, ThatKeepsTheMatchChangesNothing) {
 /// Believes odometry, whatever was matched.
 class TrustOdometry : public PoseCorrection {
 public:
-    explicit TrustOdometry(double score) : score_(score) {}
     ScanMatch correct(const MatchContext& context, const ScanMatch& found,
                       const Degeneracy& degeneracy) const override {
         EXPECT_EQ(degeneracy.degree, 0.25);
         EXPECT_GT(context.points.beams, 0U);
         ScanMatch match = found;
         match.pose = context.odometry;
-        match.score = score_;
         return match;
     }
-
-private:
-    double score_;
 };
 
-FilterStrategies trusting_odometry(double score) {
+FilterStrategies trusting_odometry() {
     FilterStrategies strategies;
     strategies.detector = [](const ParticleSnapshot&) { return Degeneracy{0.25}; };
-    strategies.correction = std::make_shared<TrustOdometry>(score);
+    strategies.corrections = {std::make_shared<KeepMatch>(), std::make_shared<TrustOdometry>()};
     return strategies;
 }
 
 TEST(Correction, PutsTheParticleWhereItSays) {
-    const Trajectory trajectory = filtered(room_drive(), few_particles(3), trusting_odometry(1.0), 2);
+    const Trajectory trajectory = filtered(room_drive(), few_particles(3), trusting_odometry(), 2);
     for (std::size_t i = 0; i < trajectory.size(); ++i) {
         EXPECT_LT(distance_m(trajectory[i].pose, room_drive()[i].odom_from_robot), 1e-6) << i;
-    }
-}
-
-TEST(Correction, ThatIsNoMatchLeavesThePrediction) {
-    ThreadPool threads(1);
-    Rbpf filter(few_particles(3), threads, trusting_odometry(0.0));
-    for (const SensorFrame& frame : room_drive()) {
-        if (filter.process(frame) && filter.updates() > 1) {
-            for (const Particle& particle : filter.particles()) {
-                expect_near(particle.matched_motion, particle.predicted_motion);
-            }
-        }
     }
 }
 

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "particles/degeneracy_detector.hpp"
+#include "particles/motion_model.hpp"
+
+namespace ddtool {
+
+struct DetectionSettings {
+    double covariance_sd_m = 0.1;  ///< threshold of the detector covariance
+    /// The detector is consulted where matching is in doubt: where the match left this share of the step swarm's
+    /// predicted spread, or more. Elsewhere the degree is 0. 0 consults always.
+    double doubt_share = 0.0;
+    /// Between two consultations the robot drives this far; the degree stays what it was.
+    double every_m = 0.0;
+};
+
+/// The detectors by name, and by the ending of their file.
+class DetectorTable {
+public:
+    using Maker = std::function<DegeneracyDetector(const DetectionSettings& settings, const MotionNoise& noise)>;
+    using FileMaker = std::function<DegeneracyDetector(const std::string& file)>;
+
+    /// Those that need no model: none, always, covariance, step-spread, neff, oracle.
+    DetectorTable();
+    /// Makes detectors of files that end so, such as ".pt".
+    void add_file_kind(const std::string& ending, FileMaker maker) { file_kinds_[ending] = std::move(maker); }
+
+    /// An empty function for "none". Throws UsageError for a name that is none of these.
+    [[nodiscard]] DegeneracyDetector make(const std::string& name, const DetectionSettings& settings,
+                                          const MotionNoise& noise) const;
+    /// Whether the name is that of a file, whose content then decides.
+    [[nodiscard]] bool is_file(const std::string& name) const { return !makers_.contains(name); }
+
+private:
+    std::map<std::string, Maker> makers_;
+    std::map<std::string, FileMaker> file_kinds_;
+};
+
+/// The detector, asked only where and as often as the settings say.
+DegeneracyDetector consulted_in_doubt(DegeneracyDetector detector, const DetectionSettings& settings);
+
+}  // namespace ddtool
