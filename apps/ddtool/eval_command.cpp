@@ -2,15 +2,21 @@
 
 #include <cmath>
 #include <iostream>
+#include <map>
+#include <optional>
+#include <utility>
 
+#include "ablation_report.hpp"
 #include "base/atomic_file.hpp"
 #include "base/expect.hpp"
 #include "base/folder.hpp"
 #include "base/log.hpp"
 #include "detection/label_noise.hpp"
+#include "detection/model_scorer.hpp"
 #include "detection/pictures.hpp"
 #include "detection/simple_rules.hpp"
 #include "detection/tables.hpp"
+#include "learning/engine.hpp"
 
 namespace ddtool {
 namespace {
@@ -35,6 +41,32 @@ std::vector<detection::Detector> rules_fitted_on(const std::string& folder, cons
     return rules;
 }
 
+/// Models of one name and seed get the names of their files behind.
+void tell_apart(std::vector<detection::Detector>& models, const std::vector<std::string>& files) {
+    std::map<std::pair<std::string, std::optional<std::uint64_t>>, std::size_t> count;
+    for (const detection::Detector& model : models) {
+        ++count[{model.name, model.seed}];
+    }
+    for (std::size_t index = 0; index < models.size(); ++index) {
+        if (count[{models[index].name, models[index].seed}] > 1) {
+            models[index].name += " [" + files[index] + "]";
+        }
+    }
+}
+
+std::vector<detection::Detector> load_models(const std::vector<std::string>& files, const Json& options) {
+    std::vector<detection::Detector> models;
+    models.reserve(files.size());
+    for (const std::string& file : files) {
+        models.push_back(detection::detector_of(
+            learning::engine().load(file, {.device = options.at("device"),
+                                           .precision = options.at("precision"),
+                                           .threads = options.at("threads").get<std::size_t>()})));
+    }
+    tell_apart(models, files);
+    return models;
+}
+
 void print(const dataset::Dataset& data, const std::vector<Evaluation>& evaluations, const Task& task) {
     std::string text;
     const auto add = [&](const Table& table) {
@@ -54,22 +86,46 @@ void print(const dataset::Dataset& data, const std::vector<Evaluation>& evaluati
 
 EvalCommand::EvalCommand()
     : Command("eval", "How well models and simple rules detect degeneracy on a data set",
-              "ddtool eval --data out/small --out out/evaluation") {}
+              "ddtool eval --data out/small --model out/lite.pt --out out/evaluation") {}
 
 void EvalCommand::add_options(CLI::App& app) {
     app.add_option("--data", data_, "The data set")->type_name("DIR")->required();
+    app.add_option("--model", models_, "An exported model or a checkpoint; may be given many times")
+        ->type_name("FILE.pt");
     app.add_option("--fit", fit_, "Data set whose part train the simple rules are fitted on, if not that of --data")
         ->type_name("DIR");
     bind_option(app, "--label", "label", "What counts as degenerate: dispersion or fisher");
     bind_option(app, "--split", "split", "paper: samples at random; held_out: whole scenes");
     bind_option(app, "--part", "part", "Samples that are tested: train, validation or test");
+    bind_option(app, "--device", "run.device", "Where models run: cpu or cuda");
+    bind_option(app, "--precision", "run.precision", "Of models: fp32 or bf16");
+    bind_option(app, "--threads", "run.threads", "Of models; 0 is one a core");
+    app.add_option("--ablation", ablation_, "Instead: the table that the file plans; what --out lacks is trained")
+        ->type_name("FILE")
+        ->expected(0, 1)
+        ->default_str("configs/ablation/paper.json")
+        ->excludes("--model");
     app.add_flag("--label-noise", label_noise_,
                  "Instead: how often labels differ between runs of the data set that differ in their seeds alone");
     app.add_option("--out", out_, "Write eval.json and pictures there")->type_name("DIR");
     app.add_flag("--json", as_json_, "Print JSON instead of tables");
 }
 
-Json EvalCommand::default_settings() const { return {{"label", "fisher"}, {"split", "held_out"}, {"part", "test"}}; }
+Json EvalCommand::default_settings() const {
+    const learning::RunOptions run;
+    return {{"label", "fisher"},
+            {"split", "held_out"},
+            {"part", "test"},
+            {"run", {{"device", run.device}, {"precision", run.precision}, {"threads", 0U}}}};
+}
+
+ExitCode EvalCommand::ablate(const Json& options) const {
+    if (out_.empty()) {
+        throw UsageError("--ablation: expected --out, a folder for what it trains");
+    }
+    return run_ablation(learning::engine(), ablation_, data_, out_,
+                        {.device = options.at("device"), .threads = options.at("threads")}, as_json_);
+}
 
 void EvalCommand::print_label_noise(const dataset::Dataset& data) const {
     const Table table = detection::label_noise_table(data);
@@ -80,15 +136,23 @@ void EvalCommand::print_label_noise(const dataset::Dataset& data) const {
 }
 
 ExitCode EvalCommand::run(const Json& settings) {
+    if (!ablation_.empty()) {
+        return ablate(settings.at("run"));
+    }
     const Task task = task_from(settings);
+    std::vector<detection::Detector> detectors = load_models(models_, settings.at("run"));
     const dataset::Dataset data(data_);
     if (label_noise_) {
         print_label_noise(data);
         return ExitCode::done;
     }
+    for (detection::Detector& rule : rules_fitted_on(fit_.empty() ? data_ : fit_, task)) {
+        detectors.push_back(std::move(rule));
+    }
     std::vector<Evaluation> evaluations;
-    for (const detection::Detector& rule : rules_fitted_on(fit_.empty() ? data_ : fit_, task)) {
-        evaluations.push_back(detection::evaluate(data, rule, task));
+    evaluations.reserve(detectors.size());
+    for (const detection::Detector& detector : detectors) {
+        evaluations.push_back(detection::evaluate(data, detector, task));
     }
     const bool tested = !evaluations.front().samples.indices.empty();
     if (!tested) {

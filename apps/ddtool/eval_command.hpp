@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "command.hpp"
 #include "dataset/dataset.hpp"
@@ -18,11 +19,14 @@ protected:
     ExitCode run(const Json& settings) override;
 
 private:
+    [[nodiscard]] ExitCode ablate(const Json& options) const;
     void print_label_noise(const dataset::Dataset& data) const;
 
     std::string data_;
+    std::vector<std::string> models_;
     std::string fit_;
     std::string out_;
+    std::string ablation_;
     bool label_noise_ = false;
     bool as_json_ = false;
 };

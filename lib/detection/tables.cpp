@@ -2,6 +2,7 @@
 
 #include <limits>
 #include <map>
+#include <set>
 
 #include "detection/groups.hpp"
 #include "eval/statistics.hpp"
@@ -87,7 +88,11 @@ Table seed_table(std::span<const Evaluation> evaluations, const Task& task) {
                  {"AUC", 4},
                  {"AUC sd", 4}});
     for (const auto& [family, members] : families) {
-        if (members.size() < 2) {
+        std::set<std::uint64_t> seeds;
+        for (const Evaluation* member : members) {
+            seeds.insert(*member->detector.seed);
+        }
+        if (seeds.size() < 2 || seeds.size() < members.size()) {
             continue;
         }
         const Detector& first = members.front()->detector;

@@ -11,7 +11,8 @@ namespace ddtool::detection {
 /// is degenerate.
 Table detector_table(std::span<const Evaluation> evaluations, const Task& task);
 
-/// Mean and standard deviation over models that differ in nothing but their seeds.
+/// Mean and standard deviation over models that differ in nothing but their seeds. Two of one seed differ in something
+/// else, so they and their likes are left out.
 Table seed_table(std::span<const Evaluation> evaluations, const Task& task);
 
 /// Detectors that give degrees: calibration errors and temperatures.

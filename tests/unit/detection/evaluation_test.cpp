@@ -12,7 +12,7 @@
 namespace ddtool::detection {
 namespace {
 
-using test::KnownDataset;
+using ddtool::test::KnownDataset;
 
 double width_m(Particles swarm) { return spread_m(swarm, &SnapshotParticle::matched_motion); }
 

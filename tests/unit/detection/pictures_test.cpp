@@ -8,7 +8,7 @@
 namespace ddtool::detection {
 namespace {
 
-using test::KnownDataset;
+using ddtool::test::KnownDataset;
 
 TEST(DrawEvaluations, DrawsEveryPictureAlsoWithoutThresholds) {
     const KnownDataset known(dataset::Part::test);

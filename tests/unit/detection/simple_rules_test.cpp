@@ -13,7 +13,7 @@ namespace {
 
 using dataset::LabelRule;
 using dataset::Split;
-using test::KnownDataset;
+using ddtool::test::KnownDataset;
 
 TEST(FittedRules, ThoseThatSeeTheStepSwarmFindWhatIsInIt) {
     const KnownDataset known;

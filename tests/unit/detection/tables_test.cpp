@@ -10,7 +10,7 @@
 namespace ddtool::detection {
 namespace {
 
-using test::KnownDataset;
+using ddtool::test::KnownDataset;
 
 /// A network's evaluation with that many of ten test samples right.
 Evaluation model(std::uint64_t seed, const std::string& family, std::uint64_t right) {
@@ -36,7 +36,8 @@ TEST(DetectorTable, NamesWhatWasTrainedOnWhatAndTestedOnWhat) {
 }
 
 TEST(SeedTable, JoinsModelsThatDifferInTheirSeedsAlone) {
-    const std::vector<Evaluation> evaluations{model(1, "a", 8), model(2, "a", 10), model(1, "b", 5)};
+    const std::vector<Evaluation> evaluations{model(1, "a", 8), model(2, "a", 10), model(1, "b", 5),
+                                              model(1, "c", 5), model(2, "c", 6),  model(2, "c", 7)};
     const Json rows = seed_table(evaluations, {}).json();
     ASSERT_EQ(rows.size(), 1U);
     EXPECT_EQ(rows[0].at("seeds"), 2);

@@ -13,7 +13,7 @@
 #include "swarms.hpp"
 #include "temporary_folder.hpp"
 
-namespace ddtool::detection::test {
+namespace ddtool::test {
 
 /// A data set whose step swarms are wide where a sample is degenerate and narrow elsewhere: of a simulated world, label
 /// `fisher`, every other one degenerate; and of a log, without that label. weak_sd_m grows with the swarm's width.
@@ -45,6 +45,7 @@ public:
     }
 
     [[nodiscard]] const dataset::Dataset& data() const { return *data_; }
+    [[nodiscard]] const std::filesystem::path& folder() const { return root_; }
 
 private:
     static dataset::RunEntry run(const std::string& scene) {
@@ -77,17 +78,17 @@ private:
     }
 
     static std::vector<SnapshotParticle> swarm_of(const dataset::SampleRecord& record) {
-        auto swarm = ddtool::test::normal_swarm(record.particle_count, record.update,
-                                                {record.weak_sd_m, 0.2 * record.weak_sd_m}, 0.1);
+        auto swarm =
+            normal_swarm(record.particle_count, record.update, {record.weak_sd_m, 0.2 * record.weak_sd_m}, 0.1);
         for (SnapshotParticle& particle : swarm) {
             particle.weight = 1.0 / static_cast<double>(swarm.size());
         }
         return swarm;
     }
 
-    ddtool::test::TemporaryFolder folder_;
+    TemporaryFolder folder_;
     std::filesystem::path root_ = folder_ / ".";
     std::optional<dataset::Dataset> data_;
 };
 
-}  // namespace ddtool::detection::test
+}  // namespace ddtool::test
