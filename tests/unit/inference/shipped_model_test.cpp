@@ -1,0 +1,40 @@
+#include <gmock/gmock.h>
+
+#include "imaging/particle_renderer.hpp"
+#include "inference/torch_script.hpp"
+#include "swarms.hpp"
+
+namespace ddtool::inference {
+namespace {
+
+/// Mean degree over drawn swarms of 30 particles whose matches keep that share of what odometry predicted along x.
+double mean_degree(learning::DegreeModel& model, double share) {
+    ParticleRenderer renderer(model.description().image);
+    const std::size_t pixels = renderer.settings().size_px * renderer.settings().size_px;
+    std::vector<float> images;
+    std::vector<double> degrees(20);
+    for (std::size_t index = 0; index < degrees.size(); ++index) {
+        constexpr double predicted_m = 0.1;
+        std::vector<SnapshotParticle> swarm = test::normal_swarm(30, index, {}, predicted_m);
+        for (SnapshotParticle& particle : swarm) {
+            particle.matched_motion = {share * particle.predicted_motion.x_m, 0.0, 0.0};
+        }
+        images.resize((index + 1) * pixels);
+        renderer.render(swarm, std::span<float>(images).subspan(index * pixels));
+    }
+    model.run(images, degrees);
+    double sum = 0.0;
+    for (const double degree : degrees) {
+        sum += degree;
+    }
+    return sum / static_cast<double>(degrees.size());
+}
+
+TEST(ShippedModel, CallsASwarmDegenerateThatMatchingLeavesAsWideAsItCame) {
+    const auto model = load_torch_script(DDTOOL_MODELS "/ddmodel-lite.pt", {});
+    EXPECT_GT(mean_degree(*model, 1.0), 0.9);
+    EXPECT_LT(mean_degree(*model, 0.05), 0.1);
+}
+
+}  // namespace
+}  // namespace ddtool::inference
