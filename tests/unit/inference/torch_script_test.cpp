@@ -97,7 +97,7 @@ TEST_P(ExportedModel, OpensInPythonAndAgrees) {
     const torch::Tensor images = drawn_images(3);
     write_floats(folder_ / "images", images);
     write_floats(folder_ / "values", values(images).contiguous());
-    const std::string command = std::string(DDTOOL_PYTHON " " DDTOOL_OPEN_MODEL " ") + path_.string() + " " +
+    const std::string command = std::string(DDTOOL_PYTHON " '" DDTOOL_OPEN_MODEL "' ") + path_.string() + " " +
                                 (folder_ / "images").string() + " " + (folder_ / "values").string();
     EXPECT_EQ(std::system(command.c_str()), 0);
 }
