@@ -1,5 +1,6 @@
 #include "training/validation.hpp"
 
+#include "eval/confusion.hpp"
 #include "eval/ranks.hpp"
 #include "learning/batch_loader.hpp"
 #include "training/batch_tensors.hpp"
@@ -27,22 +28,10 @@ void add(Scores& scores, const torch::Tensor& logits, const torch::Tensor& class
 }
 
 ValidationResult result_of(const Scores& scores) {
-    double right = 0.0;
-    double found = 0.0;     // degenerate and called so
-    double called = 0.0;    // called degenerate
-    double positive = 0.0;  // degenerate
-    for (std::size_t index = 0; index < scores.margins.size(); ++index) {
-        const bool answer = scores.margins[index] > 0.0;
-        const bool truth = scores.degenerate[index];
-        right += answer == truth ? 1.0 : 0.0;
-        found += answer && truth ? 1.0 : 0.0;
-        called += answer ? 1.0 : 0.0;
-        positive += truth ? 1.0 : 0.0;
-    }
-    const auto count = static_cast<double>(scores.margins.size());
-    return {.loss = scores.loss / count,
-            .accuracy = right / count,
-            .f1 = called + positive > 0.0 ? 2.0 * found / (called + positive) : 0.0,
+    const Confusion decisions = confusion_of(scores.margins, scores.degenerate, 0.0);
+    return {.loss = scores.loss / static_cast<double>(decisions.count()),
+            .accuracy = decisions.accuracy(),
+            .f1 = decisions.f1(),
             .auc = roc_auc(scores.margins, scores.degenerate)};
 }
 
