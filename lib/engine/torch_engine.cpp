@@ -3,10 +3,10 @@
 #include "base/error.hpp"
 #include "base/log.hpp"
 #include "inference/output_values.hpp"
+#include "inference/plain_weights.hpp"
 #include "inference/torch_model.hpp"
 #include "inference/torch_script.hpp"
 #include "learning/process_group.hpp"
-#include "learning/safetensors.hpp"
 #include "training/trainer.hpp"
 
 namespace ddtool {
@@ -20,22 +20,6 @@ void expect_device(const std::string& device) {
         throw UsageError("device: " + device +
                          " is not there, or this LibTorch (" TORCH_VERSION ") was built without CUDA");
     }
-}
-
-/// The tensors of a network under their dotted names, batch statistics among them.
-learning::PlainWeights plain_weights(const models::Network& network, const learning::ModelDescription& about) {
-    learning::PlainWeights weights{Json(about).dump(), {}};
-    const auto add = [&](const auto& items) {
-        for (const auto& item : items) {
-            const torch::Tensor values = item.value().detach().to(torch::kCPU, torch::kFloat32).contiguous();
-            weights.tensors.push_back({item.key(),
-                                       values.sizes().vec(),
-                                       {values.data_ptr<float>(), values.data_ptr<float>() + values.numel()}});
-        }
-    };
-    add(network.named_parameters());
-    add(network.named_buffers());
-    return weights;
 }
 
 std::unique_ptr<learning::DegreeModel> model_of(training::Checkpoint& checkpoint, const learning::RunOptions& options) {
@@ -84,7 +68,7 @@ public:
         const std::shared_ptr<models::Network> network = source.network();
         inference::write_torch_script(out, *network, about);
         learning::write_safetensors(std::filesystem::path(out).replace_extension(".safetensors"),
-                                    plain_weights(*network, about));
+                                    inference::plain_weights(*network, about));
     }
 
     [[nodiscard]] std::unique_ptr<learning::DegreeModel> load(const std::filesystem::path& file,

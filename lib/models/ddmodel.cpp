@@ -5,10 +5,10 @@
 namespace ddtool::models {
 namespace {
 
-torch::nn::Sequential blocks_of(const DDModelTable& table) {
+torch::nn::Sequential blocks_of(const learning::DDModelTable& table) {
     torch::nn::Sequential blocks;
     std::int64_t channels = table.stem.channels;
-    for (const GroupRow& group : table.groups) {
+    for (const learning::GroupRow& group : table.groups) {
         for (std::int64_t block = 0; block < group.blocks; ++block) {
             blocks->push_back(std::make_shared<BasicBlock>(channels, group.channels, block == 0 ? group.stride : 1));
             channels = group.channels;
@@ -17,40 +17,9 @@ torch::nn::Sequential blocks_of(const DDModelTable& table) {
     return blocks;
 }
 
-std::int64_t token_count(const DDModelTable& table, std::int64_t size_px) {
-    std::int64_t side = strided(strided(size_px, table.stem.stride), 2);
-    for (const GroupRow& group : table.groups) {
-        side = strided(side, group.stride);
-    }
-    return side * side;
-}
-
 }  // namespace
 
-const DDModelTable& ddmodel_table() {
-    static const DDModelTable table{
-        .stem = {.kernel_px = 7, .stride = 2, .channels = 32},
-        .groups = {{.blocks = 1, .channels = 32, .stride = 1},
-                   {.blocks = 1, .channels = 64, .stride = 2},
-                   {.blocks = 1, .channels = 128, .stride = 1},
-                   {.blocks = 1, .channels = 256, .stride = 1}},
-        .encoder = {.width = 64, .heads = 1, .feed_forward = 128},
-    };
-    return table;
-}
-
-const DDModelTable& ddmodel_lite_table() {
-    static const DDModelTable table{
-        .stem = {.kernel_px = 7, .stride = 4, .channels = 16},
-        .groups = {{.blocks = 1, .channels = 16, .stride = 1},
-                   {.blocks = 1, .channels = 32, .stride = 2},
-                   {.blocks = 1, .channels = 64, .stride = 2}},
-        .encoder = {.width = 64, .heads = 2, .feed_forward = 128},
-    };
-    return table;
-}
-
-DDModel::DDModel(const DDModelTable& table, std::int64_t size_px)
+DDModel::DDModel(const learning::DDModelTable& table, std::int64_t size_px)
     : stem_(register_module("stem", std::make_shared<ConvNorm>(ConvNormOptions{.in_channels = 1,
                                                                                .out_channels = table.stem.channels,
                                                                                .kernel_px = table.stem.kernel_px,
@@ -58,7 +27,8 @@ DDModel::DDModel(const DDModelTable& table, std::int64_t size_px)
                                                                                .activation = Activation::none}))),
       groups_(register_module("groups", blocks_of(table))),
       embedding_(register_module("embedding", torch::nn::Linear(table.groups.back().channels, table.encoder.width))),
-      position_(register_parameter("position", torch::empty({token_count(table, size_px), table.encoder.width}))),
+      position_(
+          register_parameter("position", torch::empty({learning::token_count(table, size_px), table.encoder.width}))),
       encoder_(register_module("encoder", std::make_shared<EncoderLayer>(table.encoder))),
       norm_(register_module("norm", torch::nn::LayerNorm(torch::nn::LayerNormOptions({table.encoder.width})))),
       head_(register_module("head", torch::nn::Linear(table.encoder.width, 2))) {

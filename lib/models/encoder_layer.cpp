@@ -12,14 +12,14 @@ torch::nn::LayerNorm layer_norm(std::int64_t width) {
 
 }  // namespace
 
-EncoderLayer::EncoderLayer(const EncoderOptions& options)
-    : heads_(options.heads),
-      attention_norm_(register_module("attention_norm", layer_norm(options.width))),
-      query_key_value_(register_module("query_key_value", torch::nn::Linear(options.width, 3 * options.width))),
-      attention_out_(register_module("attention_out", torch::nn::Linear(options.width, options.width))),
-      feed_forward_norm_(register_module("feed_forward_norm", layer_norm(options.width))),
-      feed_forward_in_(register_module("feed_forward_in", torch::nn::Linear(options.width, options.feed_forward))),
-      feed_forward_out_(register_module("feed_forward_out", torch::nn::Linear(options.feed_forward, options.width))) {}
+EncoderLayer::EncoderLayer(const learning::EncoderRow& row)
+    : heads_(row.heads),
+      attention_norm_(register_module("attention_norm", layer_norm(row.width))),
+      query_key_value_(register_module("query_key_value", torch::nn::Linear(row.width, 3 * row.width))),
+      attention_out_(register_module("attention_out", torch::nn::Linear(row.width, row.width))),
+      feed_forward_norm_(register_module("feed_forward_norm", layer_norm(row.width))),
+      feed_forward_in_(register_module("feed_forward_in", torch::nn::Linear(row.width, row.feed_forward))),
+      feed_forward_out_(register_module("feed_forward_out", torch::nn::Linear(row.feed_forward, row.width))) {}
 
 torch::Tensor EncoderLayer::forward(const torch::Tensor& x) {
     const torch::Tensor attended = x + self_attention(attention_norm_(x));

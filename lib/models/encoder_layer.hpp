@@ -4,20 +4,16 @@
 
 #include <cstdint>
 
-namespace ddtool::models {
+#include "learning/dd_tables.hpp"
 
-struct EncoderOptions {
-    std::int64_t width = 0;         ///< of a token
-    std::int64_t heads = 0;         ///< divides the width
-    std::int64_t feed_forward = 0;  ///< width of its hidden layer
-};
+namespace ddtool::models {
 
 /// One layer of a transformer encoder (Vaswani et al. 2017) with normalisation first (Xiong et al. 2020), without
 /// dropout. On plain operations whose views leave the batch open: torch::nn::TransformerEncoder's views would carry
 /// the batch of the trace into the exported model.
 class EncoderLayer : public torch::nn::Module {
 public:
-    explicit EncoderLayer(const EncoderOptions& options);
+    explicit EncoderLayer(const learning::EncoderRow& row);
     /// x: [n, tokens, width], float32, which it also returns; under autocast only the products are rounded.
     torch::Tensor forward(const torch::Tensor& x);
 

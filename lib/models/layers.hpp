@@ -35,9 +35,6 @@ private:
     Activation activation_;
 };
 
-/// Side of the map that a convolution or pooling with an odd, padded kernel makes of one with that side.
-constexpr std::int64_t strided(std::int64_t side_px, std::int64_t stride) { return (side_px - 1) / stride + 1; }
-
 /// The head: float32 whatever the autocast, since a logit rounded to bf16 knows only three digits.
 torch::Tensor logits_of(torch::nn::Linear& head, const torch::Tensor& features);
 

@@ -1,14 +1,17 @@
 #include <gmock/gmock.h>
 
+#include <numeric>
+
 #include "imaging/particle_renderer.hpp"
 #include "inference/torch_script.hpp"
+#include "native/load_model.hpp"
 #include "swarms.hpp"
 
 namespace ddtool::inference {
 namespace {
 
-/// Mean degree over drawn swarms of 30 particles whose matches keep that share of what odometry predicted along x.
-double mean_degree(learning::DegreeModel& model, double share) {
+/// Degrees of drawn swarms of 30 particles whose matches keep that share of what odometry predicted along x.
+std::vector<double> degrees_of(learning::DegreeModel& model, double share) {
     ParticleRenderer renderer(model.description().image);
     const std::size_t pixels = renderer.settings().size_px * renderer.settings().size_px;
     std::vector<float> images;
@@ -23,17 +26,27 @@ double mean_degree(learning::DegreeModel& model, double share) {
         renderer.render(swarm, std::span<float>(images).subspan(index * pixels));
     }
     model.run(images, degrees);
-    double sum = 0.0;
-    for (const double degree : degrees) {
-        sum += degree;
-    }
-    return sum / static_cast<double>(degrees.size());
+    return degrees;
+}
+
+double mean_degree(learning::DegreeModel& model, double share) {
+    const std::vector<double> degrees = degrees_of(model, share);
+    return std::accumulate(degrees.begin(), degrees.end(), 0.0) / static_cast<double>(degrees.size());
 }
 
 TEST(ShippedModel, CallsASwarmDegenerateThatMatchingLeavesAsWideAsItCame) {
     const auto model = load_torch_script(DDTOOL_MODELS "/ddmodel-lite.pt", {});
     EXPECT_GT(mean_degree(*model, 1.0), 0.9);
     EXPECT_LT(mean_degree(*model, 0.05), 0.1);
+}
+
+TEST(ShippedModel, GivesTheSameDegreesWithoutLibTorch) {
+    const auto model = load_torch_script(DDTOOL_MODELS "/ddmodel-lite.pt", {});
+    const auto native = native::load_model(DDTOOL_MODELS "/ddmodel-lite.safetensors");
+    for (const double share : {0.05, 0.3, 0.6, 1.0}) {
+        EXPECT_THAT(degrees_of(*native, share),
+                    testing::Pointwise(testing::DoubleNear(1e-5), degrees_of(*model, share)));
+    }
 }
 
 }  // namespace

@@ -9,48 +9,14 @@
 #include "inference/output_values.hpp"
 #include "temporary_folder.hpp"
 #include "thrown_text.hpp"
+#include "used_network.hpp"
 
 namespace ddtool::inference {
 namespace {
 
-constexpr std::int64_t size_px = 64;
-
-learning::ModelDescription described(const std::string& network, const std::string& loss) {
-    learning::ModelDescription about;
-    about.network = network;
-    about.loss = loss;
-    about.image.size_px = size_px;
-    about.temperature = 1.7;
-    about.dataset = "0123456789abcdef";
-    return about;
-}
-
-/// Sparse, as particle images are.
-torch::Tensor drawn_images(std::int64_t count) {
-    return (torch::rand({count, 1, size_px, size_px}) < 0.1).to(torch::kFloat32);
-}
-
-std::vector<double> degrees_by(learning::DegreeModel& model, const torch::Tensor& images) {
-    std::vector<double> degrees(static_cast<std::size_t>(images.size(0)));
-    model.run({images.data_ptr<float>(), static_cast<std::size_t>(images.numel())}, degrees);
-    return degrees;
-}
-
 void write_floats(const std::filesystem::path& path, const torch::Tensor& values) {
     std::ofstream(path, std::ios::binary)
         .write(reinterpret_cast<const char*>(values.data_ptr<float>()), values.numel() * 4);
-}
-
-/// A network whose batch statistics are those of some training.
-std::shared_ptr<models::Network> used_network(const std::string& name) {
-    torch::manual_seed(7);
-    auto network = models::make_network(name, size_px);
-    network->train();
-    for (int step = 0; step < 3; ++step) {
-        (void)network->forward(drawn_images(8));
-    }
-    network->eval();
-    return network;
 }
 
 class ExportedModel : public testing::TestWithParam<std::string> {

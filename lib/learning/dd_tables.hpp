@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace ddtool::learning {
+
+/// First convolution of the backbone. A 3x3 max pooling of stride 2 follows.
+struct StemRow {
+    std::int64_t kernel_px = 0;
+    std::int64_t stride = 0;
+    std::int64_t channels = 0;
+};
+
+/// One of the backbone's "composite layers": BasicBlocks, the first of which may change the shape.
+struct GroupRow {
+    std::int64_t blocks = 0;
+    std::int64_t channels = 0;
+    std::int64_t stride = 0;  ///< of the first block
+};
+
+/// The neck: one layer of a transformer encoder.
+struct EncoderRow {
+    std::int64_t width = 0;         ///< of a token
+    std::int64_t heads = 0;         ///< divides the width
+    std::int64_t feed_forward = 0;  ///< width of its hidden layer
+};
+
+/// A network of the DD-Model's kind (paper, section "Degeneracy Detection Model" and its figure; docs/models.md tells
+/// what the paper leaves open): residual backbone, transformer neck, two-way head.
+struct DDModelTable {
+    StemRow stem;
+    std::vector<GroupRow> groups;
+    EncoderRow encoder;
+};
+
+/// The paper's: the map that goes to the neck is 256 x 28 x 28 for images of 224 x 224.
+const DDModelTable& ddmodel_table();
+/// The same made small, for a robot's processor.
+const DDModelTable& ddmodel_lite_table();
+/// The table of "ddmodel" or "ddmodel-lite"; null for another network.
+const DDModelTable* find_ddmodel_table(const std::string& network);
+
+/// Side of the map that a convolution or pooling with an odd, padded kernel makes of one with that side.
+constexpr std::int64_t strided(std::int64_t side_px, std::int64_t stride) { return (side_px - 1) / stride + 1; }
+/// Number of places of the map that goes to the neck.
+std::int64_t token_count(const DDModelTable& table, std::int64_t size_px);
+
+}  // namespace ddtool::learning

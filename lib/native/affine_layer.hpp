@@ -1,0 +1,74 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "native/floats.hpp"
+#include "native/map_shape.hpp"
+#include "native/named_weights.hpp"
+#include "native/product.hpp"
+
+namespace ddtool::native {
+
+/// Weighted sums, a bias and perhaps ReLU, at every point of a map or every token.
+class AffineLayer {
+public:
+    struct Points {
+        std::vector<std::size_t> from;
+        Window window;
+        std::vector<std::size_t> to;
+        std::size_t out_size = 0;  ///< of the buffer that `to` points into
+    };
+    struct Weights {
+        Floats blocks;  ///< as WeightBlocks, closely packed
+        Floats bias;    ///< [outputs]
+    };
+
+    AffineLayer(Points points, Weights weights, bool relu);
+
+    /// The layer's own buffer, good until the next run. `skip`, laid out so too, is added before ReLU.
+    const float* run(const float* in, const float* skip = nullptr);
+
+private:
+    Points points_;
+    Weights weights_;
+    bool relu_;
+    Floats out_;
+};
+
+struct ConvolutionRow {
+    std::size_t channels = 0;
+    std::size_t kernel_px = 3;  ///< 3 or 1, padded so that stride 1 keeps the size
+    std::size_t stride = 1;
+    bool relu = false;
+};
+
+MapShape shape_after(const ConvolutionRow& row, const MapShape& in);
+
+/// Convolution without bias and the batch normalisation after it (Ioffe and Szegedy 2015) as one: where the statistics
+/// are fixed, the latter is a factor and a shift for each channel. Takes PREFIX.conv.weight and PREFIX.norm.*.
+AffineLayer convolution(NamedWeights& weights, const std::string& prefix, const MapShape& in,
+                        const ConvolutionRow& row);
+
+/// A kernel [outputs][inputs][kernel_px][kernel_px] that batch normalisation has been folded into.
+struct FoldedKernel {
+    std::vector<float> values;
+    Floats bias;
+};
+FoldedKernel folded_kernel(NamedWeights& weights, const std::string& prefix, std::size_t outputs, std::size_t inputs,
+                           std::size_t kernel_px);
+
+struct LinearRow {
+    std::size_t inputs = 0;
+    std::size_t outputs = 0;
+    bool relu = false;
+};
+
+/// Linear layer from tokens that start at `from` to tokens closely packed. Takes PREFIX.weight and PREFIX.bias.
+AffineLayer linear(NamedWeights& weights, const std::string& prefix, const LinearRow& row,
+                   std::vector<std::size_t> from);
+
+/// Where `count` tokens lie that are closely packed.
+std::vector<std::size_t> packed_tokens(std::size_t count, std::size_t width);
+
+}  // namespace ddtool::native

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "learning/dd_tables.hpp"
+#include "native/basic_block.hpp"
+#include "native/encoder_layer.hpp"
+#include "native/stem.hpp"
+
+namespace ddtool::native {
+
+/// A trained network of the DD-Model's kind, one image at a time. Nothing is allocated after construction.
+class DDNetwork {
+public:
+    /// Takes all of the network's tensors, under the names that models::DDModel gives them. Channels and the width of
+    /// a head are multiples of block_width. Throws Error as NamedWeights does.
+    DDNetwork(NamedWeights& weights, const learning::DDModelTable& table, std::size_t size_px);
+
+    /// The two logits of an image of size_px * size_px floats, row by row from the top.
+    std::array<double, 2> run(std::span<const float> image);
+
+private:
+    Stem stem_;
+    std::vector<BasicBlock> blocks_;
+    AffineLayer embedding_;
+    std::vector<float> position_;
+    EncoderLayer encoder_;
+    LayerNorm norm_;
+    std::vector<float> head_weight_;
+    std::vector<float> head_bias_;
+    std::vector<double> mean_;
+};
+
+}  // namespace ddtool::native

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "learning/dd_tables.hpp"
+#include "native/affine_layer.hpp"
+#include "native/attention.hpp"
+#include "native/layer_norm.hpp"
+
+namespace ddtool::native {
+
+/// One layer of a transformer encoder as models::EncoderLayer: normalisation first. Takes encoder.*.
+class EncoderLayer {
+public:
+    EncoderLayer(NamedWeights& weights, const learning::EncoderRow& row, std::size_t tokens);
+
+    /// [tokens][width] to the same; the layer's own buffer, good until the next run.
+    const float* run(const float* in);
+
+private:
+    LayerNorm attention_norm_;
+    AffineLayer query_key_value_;
+    Attention attention_;
+    AffineLayer attention_out_;
+    LayerNorm feed_forward_norm_;
+    AffineLayer feed_forward_in_;
+    AffineLayer feed_forward_out_;
+};
+
+}  // namespace ddtool::native

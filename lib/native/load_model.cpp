@@ -1,0 +1,75 @@
+#include "native/load_model.hpp"
+
+#include <cmath>
+
+#include "base/error.hpp"
+#include "base/settings.hpp"
+#include "native/dd_network.hpp"
+
+namespace ddtool::native {
+namespace {
+
+class NativeModel : public learning::DegreeModel {
+public:
+    NativeModel(learning::ModelDescription description, DDNetwork network)
+        : description_(std::move(description)), network_(std::move(network)) {}
+
+    [[nodiscard]] const learning::ModelDescription& description() const override { return description_; }
+
+    void run(std::span<const float> images, std::span<double> degrees) override {
+        const std::size_t size_px = description_.image.size_px;
+        const std::size_t pixels = size_px * size_px;
+        if (images.size() != degrees.size() * pixels) {
+            throw Error("a model for images of " + std::to_string(size_px) + " x " + std::to_string(size_px) +
+                        " pixels was given others");
+        }
+        for (std::size_t index = 0; index < degrees.size(); ++index) {
+            degrees[index] = degree(network_.run(images.subspan(index * pixels, pixels)));
+        }
+    }
+
+private:
+    /// Softmax of two is the sigmoid of their difference.
+    [[nodiscard]] double degree(const std::array<double, 2>& logits) const {
+        const double other = description_.loss == "bce" ? 0.0 : logits[1 - learning::degenerate_output];
+        return 1.0 / (1.0 + std::exp((other - logits[learning::degenerate_output]) / description_.temperature));
+    }
+
+    learning::ModelDescription description_;
+    DDNetwork network_;
+};
+
+learning::ModelDescription description_in(const std::string& text) {
+    try {
+        auto description = Json::parse(text).get<learning::ModelDescription>();
+        expect_valid(description.image);
+        return description;
+    } catch (const Json::exception& error) {
+        throw Error(std::string("its description: ") + error.what());
+    }
+}
+
+const learning::DDModelTable& table_of(const std::string& network) {
+    const learning::DDModelTable* const table = learning::find_ddmodel_table(network);
+    if (table == nullptr) {
+        throw Error("holds the network " + network + "; only ddmodel and ddmodel-lite run without LibTorch");
+    }
+    return *table;
+}
+
+}  // namespace
+
+std::unique_ptr<learning::DegreeModel> load_model(const std::filesystem::path& path) {
+    learning::PlainWeights file = learning::read_safetensors(path);
+    NamedWeights weights(std::move(file.tensors));
+    try {
+        learning::ModelDescription description = description_in(file.about);
+        DDNetwork network(weights, table_of(description.network), description.image.size_px);
+        weights.expect_all_taken();
+        return std::make_unique<NativeModel>(std::move(description), std::move(network));
+    } catch (const Error& error) {
+        throw Error(path.string() + ": " + error.what());
+    }
+}
+
+}  // namespace ddtool::native

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+
+#include "learning/degree_model.hpp"
+
+namespace ddtool::native {
+
+/// A network of the DD-Model's kind from its plain weights (docs/formats/model.md), run on one core without LibTorch.
+/// The logits are the same bytes on every processor. Throws Error naming the file, and the tensor where
+/// one is missing or has another shape than the network's table says.
+std::unique_ptr<learning::DegreeModel> load_model(const std::filesystem::path& path);
+
+}  // namespace ddtool::native
