@@ -19,11 +19,9 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// The filter's particles live in here only, so that their memory can be given back before the pictures are drawn.
-FilterRun run_over(DrivenScans& scans, const FilterSettings& settings, std::size_t thread_count,
-                   const InterruptRequest& interrupt, RunFolder& folder) {
-    ThreadPool threads(thread_count);
-    const std::unique_ptr<Rbpf> filter = make_filter(settings, DetectorTable(), threads);
+/// The filter's particles end here, so that their memory can be given back before the pictures are drawn.
+FilterRun run_over(DrivenScans& scans, std::unique_ptr<Rbpf> filter, const InterruptRequest& interrupt,
+                   RunFolder& folder) {
     folder.record_snapshots_of(*filter);
     Progress progress("slam", "scans");
     return run_filter(scans, *filter, [&](const SensorFrame& frame, bool moved) {
@@ -89,9 +87,11 @@ ExitCode SlamCommand::run(const Json& settings) {
     const FilterSettings filter_settings = filter_settings_from_json(settings.at("filter"));
     LogReport problems;
     DrivenScans scans(open_log(log_file_, log_options(settings.at("log")), problems.handler()), filter_settings.rbpf);
+    ThreadPool threads(threads_);
+    std::unique_ptr<Rbpf> filter = make_filter(filter_settings, DetectorTable(), threads);
     const InterruptRequest interrupt;
     RunFolder folder(folder_, with_snapshots_);
-    const FilterRun result = run_over(scans, filter_settings, threads_, interrupt, folder);
+    const FilterRun result = run_over(scans, std::move(filter), interrupt, folder);
     return_freed_memory();  // the particles' maps, before pictures are drawn
     if (result.trajectory.empty()) {
         throw Error(log_file_ + ": no scans that can be used");

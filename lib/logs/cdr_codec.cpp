@@ -154,6 +154,8 @@ DDTOOL_CDR(Path)
 DDTOOL_CDR(OccupancyGrid)
 DDTOOL_CDR(ParticleSnapshot)
 DDTOOL_CDR(Float64MultiArray)
+DDTOOL_CDR(PoseWithCovarianceStamped)
+DDTOOL_CDR(Degeneracy)
 #undef DDTOOL_CDR
 
 }  // namespace ddtool::ros

@@ -12,7 +12,7 @@ struct Definition {
     std::string_view text;
 };
 
-constexpr std::array<Definition, 25> definitions{{
+constexpr std::array<Definition, 27> definitions{{
     {"builtin_interfaces/Time", "int32 sec\nuint32 nanosec\n"},
     {"std_msgs/Header", "builtin_interfaces/Time stamp\nstring frame_id\n"},
     {"std_msgs/MultiArrayDimension", "string label\nuint32 size\nuint32 stride\n"},
@@ -27,6 +27,7 @@ constexpr std::array<Definition, 25> definitions{{
     {"geometry_msgs/PoseWithCovariance", "geometry_msgs/Pose pose\nfloat64[36] covariance\n"},
     {"geometry_msgs/TwistWithCovariance", "geometry_msgs/Twist twist\nfloat64[36] covariance\n"},
     {"geometry_msgs/PoseStamped", "std_msgs/Header header\ngeometry_msgs/Pose pose\n"},
+    {"geometry_msgs/PoseWithCovarianceStamped", "std_msgs/Header header\ngeometry_msgs/PoseWithCovariance pose\n"},
     {"geometry_msgs/PoseArray", "std_msgs/Header header\ngeometry_msgs/Pose[] poses\n"},
     {"geometry_msgs/TransformStamped",
      "std_msgs/Header header\nstring child_frame_id\ngeometry_msgs/Transform transform\n"},
@@ -47,6 +48,9 @@ constexpr std::array<Definition, 25> definitions{{
     {"ddtool_msgs/SnapshotParticle",
      "geometry_msgs/Pose2D pose\ngeometry_msgs/Pose2D matched_motion\ngeometry_msgs/Pose2D predicted_motion\n"
      "float64 log_likelihood\nfloat64 log_likelihood_increment\nfloat64 match_score\nfloat64 weight\n"},
+    {"ddtool_msgs/Degeneracy",
+     "builtin_interfaces/Time stamp\nfloat64 degree\nfloat64 dispersion\nfloat64 major_variance\n"
+     "float64 minor_variance\nfloat64 major_direction\nfloat64 corrected\nuint32 resampled\n"},
     {"ddtool_msgs/ParticleSnapshot",
      "builtin_interfaces/Time stamp\nuint64 update\ngeometry_msgs/Pose2D odometry_motion\nfloat64 degeneracy\n"
      "ddtool_msgs/SnapshotParticle[] particles\n"},

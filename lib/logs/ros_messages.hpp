@@ -109,6 +109,15 @@ struct PoseStamped {
     static void fields(auto& message, auto& archive) { archive(message.header, message.pose); }
 };
 
+struct PoseWithCovarianceStamped {
+    static constexpr const char* type_name = "geometry_msgs/msg/PoseWithCovarianceStamped";
+    Header header;
+    Pose pose;
+    std::array<double, 36> covariance{};  ///< row by row: x, y, z, and turns about these axes
+
+    static void fields(auto& message, auto& archive) { archive(message.header, message.pose, message.covariance); }
+};
+
 struct PoseArray {
     static constexpr const char* type_name = "geometry_msgs/msg/PoseArray";
     Header header;
@@ -192,6 +201,24 @@ struct ParticleSnapshot {
 
     static void fields(auto& message, auto& archive) {
         archive(message.stamp, message.update, message.odometry_motion, message.degeneracy, message.particles);
+    }
+};
+
+/// Ours: docs/formats/results.md.
+struct Degeneracy {
+    static constexpr const char* type_name = "ddtool_msgs/msg/Degeneracy";
+    Time stamp;
+    double degree = 0.0;
+    double dispersion = 0.0;
+    double major_variance = 0.0;
+    double minor_variance = 0.0;
+    double major_direction = 0.0;
+    double corrected = 0.0;
+    std::uint32_t resampled = 0;
+
+    static void fields(auto& message, auto& archive) {
+        archive(message.stamp, message.degree, message.dispersion, message.major_variance, message.minor_variance,
+                message.major_direction, message.corrected, message.resampled);
     }
 };
 

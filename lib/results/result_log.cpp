@@ -1,6 +1,7 @@
 #include "results/result_log.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "logs/ros_conversions.hpp"
 
@@ -40,6 +41,9 @@ void ResultLog::add(const SensorFrame& frame, const Rbpf& filter) {
     write_transforms(frame, filter.pose());
     file_.write("/scan", stamp_ns, ros::to_message(frame.scan, laser_frame));
     write_particles(stamp_ns, filter.particles());
+    if (start_ns_) {  // the first scan only starts the map
+        write_report(filter.last_report());
+    }
     if (map_is_due(stamp_ns)) {
         write_map(stamp_ns, map_raster(filter.best().grid));
         write_path(stamp_ns, filter.trajectory());
@@ -82,6 +86,28 @@ void ResultLog::write_particles(std::int64_t stamp_ns, std::span<const Particle>
         cloud.poses.push_back(ros::to_pose(particle.pose));
     }
     file_.write("/particlecloud", stamp_ns, cloud);
+}
+
+void ResultLog::write_report(const UpdateReport& report) {
+    file_.write("/degeneracy", report.stamp_ns,
+                ros::Degeneracy{{report.stamp_ns},
+                                report.degeneracy.degree,
+                                report.dispersion,
+                                report.swarm.major_variance_m2,
+                                report.swarm.minor_variance_m2,
+                                report.swarm.major_direction_rad,
+                                report.corrected_m,
+                                report.resampled ? 1U : 0U});
+    ros::PoseWithCovarianceStamped pose{
+        .header = {{report.stamp_ns}, map_frame}, .pose = ros::to_pose(report.pose), .covariance = {}};
+    constexpr std::array<std::size_t, 3> places{0, 1, 5};  // x, y and the turn about z among six
+    for (std::size_t row = 0; row < 3; ++row) {
+        for (std::size_t column = 0; column < 3; ++column) {
+            pose.covariance[6 * places[row] + places[column]] =
+                report.covariance(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(column));
+        }
+    }
+    file_.write("/pose", report.stamp_ns, pose);
 }
 
 void ResultLog::write_map(std::int64_t stamp_ns, const MapRaster& map) {

@@ -28,6 +28,7 @@ public:
 
 private:
     void write_transforms(const SensorFrame& frame, const Pose2& map_from_robot);
+    void write_report(const UpdateReport& report);
     void write_particles(std::int64_t stamp_ns, std::span<const Particle> particles);
     void write_map(std::int64_t stamp_ns, const MapRaster& map);
     void write_path(std::int64_t stamp_ns, const Trajectory& path);

@@ -5,6 +5,7 @@
 #include "base/atomic_file.hpp"
 #include "base/folder.hpp"
 #include "geometry/tum_file.hpp"
+#include "results/degeneracy_files.hpp"
 #include "results/map_files.hpp"
 #include "results/map_picture.hpp"
 
@@ -35,6 +36,9 @@ void RunFolder::record_snapshots_of(Rbpf& filter) {
 void RunFolder::add(const SensorFrame& frame, const Rbpf& filter) {
     const StageTimer timer(write_s_);
     result_.add(frame, filter);
+    if (filter.updates() > 1) {
+        updates_.push_back(filter.last_report());
+    }
 }
 
 void RunFolder::finish(const FilterRun& run, const MapRaster& map) {
@@ -47,6 +51,8 @@ void RunFolder::finish(const FilterRun& run, const MapRaster& map) {
     write_map_files(folder_, "map", map);
     files_.insert(files_.end(), {"map.pgm", "map.yaml"});
     write_map_picture(place("map.png"), map, run.trajectory);
+    write_degeneracy_csv(place("degeneracy.csv"), updates_);
+    write_degeneracy_picture(place("degeneracy.png"), updates_, map, run.trajectory);
 }
 
 void RunFolder::write_json(const std::string& name, const Json& content) {

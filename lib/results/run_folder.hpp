@@ -42,6 +42,7 @@ private:
     std::vector<std::string> files_;
     ResultLog result_;
     std::optional<SnapshotWriter> snapshots_;
+    std::vector<UpdateReport> updates_;
     double write_s_ = 0.0;
 };
 

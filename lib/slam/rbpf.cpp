@@ -108,13 +108,17 @@ void Rbpf::update(const SensorFrame& frame, const Step& step) {
     if (sink_) {
         sink_(swarm, degeneracy);
     }
+    last_report_ = report_of(swarm, degeneracy);
     if (!strategies_.corrections.empty()) {
         correct(match_points, step, degeneracy);
-        swarm = snapshot(frame, step.odometry_motion);
+        const ParticleSnapshot matched = std::exchange(swarm, snapshot(frame, step.odometry_motion));
+        last_report_.corrected_m = mean_distance_m(matched, swarm);
     }
     correct_covariances();
     learn_odometry(step);
-    resample_if_poor(swarm, degeneracy);
+    last_report_.pose = best().pose;
+    last_report_.covariance = best().covariance + pose_scatter(swarm, best().pose);
+    last_report_.resampled = resample_if_poor(swarm, degeneracy);
     const Pose2 since = between(odom_at_insertion_, frame.odom_from_robot);
     if (std::hypot(since.x_m, since.y_m) >= settings_.insert_distance_m ||
         std::abs(since.theta_rad) >= settings_.insert_turn_rad) {
@@ -205,11 +209,11 @@ void Rbpf::learn_odometry(const Step& step) {
                                  in_robot_frame(particle.match.information, particle.pose.theta_rad)});
 }
 
-void Rbpf::resample_if_poor(const ParticleSnapshot& swarm, const Degeneracy& degeneracy) {
+bool Rbpf::resample_if_poor(const ParticleSnapshot& swarm, const Degeneracy& degeneracy) {
     const StageTimer timer(times_.resample_s);
     if (effective_sample_size(weights_of(swarm.particles)) >=
         settings_.resample_share * static_cast<double>(particles_.size())) {
-        return;
+        return false;
     }
     RandomStream random({settings_.seed, resampling_draw, updates_});
     std::vector<Particle> next;
@@ -225,6 +229,7 @@ void Rbpf::resample_if_poor(const ParticleSnapshot& swarm, const Degeneracy& deg
     }
     particles_ = std::move(next);
     ++resamplings_;
+    return true;
 }
 
 void Rbpf::insert_scan(const ScanPoints& points, const Pose2& odom_from_robot) {

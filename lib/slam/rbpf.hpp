@@ -14,6 +14,7 @@
 #include "slam/pose_history.hpp"
 #include "slam/stage_times.hpp"
 #include "slam/strategies.hpp"
+#include "slam/update_report.hpp"
 
 namespace ddtool {
 
@@ -70,6 +71,8 @@ public:
     [[nodiscard]] Pose2 pose() const;
     /// A pose for every scan so far, from the history of the best particle.
     [[nodiscard]] Trajectory trajectory() const;
+    /// Of the last update but the first, which has nothing to report.
+    [[nodiscard]] const UpdateReport& last_report() const { return last_report_; }
     [[nodiscard]] std::uint64_t updates() const { return updates_; }
     [[nodiscard]] std::uint64_t resamplings() const { return resamplings_; }
     [[nodiscard]] const StageTimes& times() const { return times_; }
@@ -102,7 +105,7 @@ private:
     void learn_odometry(const Step& step);
     void settle(Particle& particle, const Pose2& from, const MatchPoints& points, ScanMatcher& matcher,
                 const ScanMatch& match, const Pose2& predicted) const;
-    void resample_if_poor(const ParticleSnapshot& swarm, const Degeneracy& degeneracy);
+    bool resample_if_poor(const ParticleSnapshot& swarm, const Degeneracy& degeneracy);
     void insert_scan(const ScanPoints& points, const Pose2& odom_from_robot);
     void remember();
 
@@ -120,6 +123,7 @@ private:
     Pose2 odom_at_insertion_;
     std::uint64_t updates_ = 0;
     std::uint64_t resamplings_ = 0;
+    UpdateReport last_report_;
     StageTimes times_;
 };
 

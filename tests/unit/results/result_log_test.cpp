@@ -75,6 +75,21 @@ TEST_F(ResultLogTest, HoldsTheScansThatWereUsed) {
     }
 }
 
+TEST_F(ResultLogTest, TellsDegreeAndCovarianceOfEveryUpdateButTheFirst) {
+    const auto degrees = messages<ros::Degeneracy>("/degeneracy");
+    const auto poses = messages<ros::PoseWithCovarianceStamped>("/pose");
+    ASSERT_EQ(degrees.size(), used_.size() - 1);
+    ASSERT_EQ(poses.size(), used_.size() - 1);
+    for (std::size_t i = 0; i < poses.size(); ++i) {
+        EXPECT_EQ(degrees[i].stamp.ns, used_[i + 1].scan.stamp_ns);
+        EXPECT_GE(degrees[i].major_variance, degrees[i].minor_variance);
+        expect_near(planar(poses[i].pose), poses_[i + 1]);
+        EXPECT_GT(poses[i].covariance[0] * poses[i].covariance[7], 0.0);
+        EXPECT_EQ(poses[i].covariance[14], 0.0);
+        EXPECT_GT(poses[i].covariance[35], 0.0);
+    }
+}
+
 TEST_F(ResultLogTest, TransformsLeadFromTheMapToTheLaser) {
     const auto transforms = messages<ros::TFMessage>("/tf");
     ASSERT_EQ(transforms.size(), 2 * used_.size());

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "geometry/trajectory.hpp"
+#include "results/map_raster.hpp"
+#include "slam/update_report.hpp"
+
+namespace ddtool {
+
+/// Writes degeneracy.csv, a row an update (docs/formats/results.md). Throws Error naming the file.
+void write_degeneracy_csv(const std::filesystem::path& file, const std::vector<UpdateReport>& updates);
+
+/// The map with the path coloured by the degree, and below it the degree and the swarm's spread over time. `path` has a
+/// pose for every scan. Throws Error naming the file.
+void write_degeneracy_picture(const std::filesystem::path& file, const std::vector<UpdateReport>& updates,
+                              const MapRaster& map, const Trajectory& path);
+
+}  // namespace ddtool
