@@ -17,6 +17,8 @@ GroupKey by_lidar(const SampleRecord& /*sample*/, const RunEntry& run) { return 
 
 GroupKey by_odometry(const SampleRecord& /*sample*/, const RunEntry& run) { return {0.0, or_dash(run.odometry)}; }
 
+GroupKey by_method(const SampleRecord& /*sample*/, const RunEntry& run) { return {0.0, or_dash(run.method)}; }
+
 GroupKey by_update_distance(const SampleRecord& /*sample*/, const RunEntry& run) {
     return {run.update_distance_m, short_number(run.update_distance_m)};
 }
@@ -31,6 +33,7 @@ const std::vector<Grouping>& groupings() {
     static const std::vector<Grouping> all{{"scene", by_scene},
                                            {"lidar", by_lidar},
                                            {"odometry", by_odometry},
+                                           {"method", by_method},
                                            {"update distance [m]", by_update_distance},
                                            {"particles", by_particles}};
     return all;

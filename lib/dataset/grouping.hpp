@@ -22,7 +22,7 @@ struct Grouping {
     GroupKey (*key)(const SampleRecord&, const RunEntry&);
 };
 
-/// By family of scenes, lidar, odometry, update distance and particles.
+/// By family of scenes, lidar, odometry, method, update distance and particles.
 const std::vector<Grouping>& groupings();
 
 /// The scene's name; all drawn worlds of a kind are one family, such as random:office.

@@ -7,14 +7,14 @@
 namespace ddtool::dataset {
 
 DDTOOL_JSON_STRUCT(SourceEntry, kind, name)
-DDTOOL_JSON_STRUCT(RunEntry, id, source, scene, seed, particles, lidar, odometry, update_distance_m, update_turn_rad,
-                   scans, snapshots, candidates, log_problems, failure)
+DDTOOL_JSON_STRUCT(RunEntry, id, source, scene, seed, particles, lidar, odometry, method, update_distance_m,
+                   update_turn_rad, scans, snapshots, candidates, log_problems, failure)
 DDTOOL_JSON_STRUCT(Manifest, program, settings, counts, sources, runs, shards)
 
 namespace {
 
 constexpr const char* format_key = "ddtool_dataset";
-constexpr int format = 1;
+constexpr int format = 2;
 
 }  // namespace
 

@@ -26,6 +26,7 @@ struct RunEntry {
     std::uint64_t particles = 0;
     std::string lidar;
     std::string odometry;
+    std::string method;  ///< of the filter
     double update_distance_m = 0.0;
     double update_turn_rad = 0.0;
     std::uint64_t scans = 0;         ///< that the filter took

@@ -17,7 +17,7 @@ namespace ddtool::dataset {
 namespace {
 
 /// Raised when parts of before no longer hold what this program would compute.
-constexpr int format = 1;
+constexpr int format = 2;
 
 std::vector<std::uint64_t> seeds_of(const Json& item, const std::string& where) {
     const auto first = item.at("seeds").at("first").get<std::uint64_t>();
@@ -155,6 +155,7 @@ private:
         entry.scene = scene_of(item, scene);
         entry.seed = filter.at("seed").get<std::uint64_t>();
         entry.particles = filter.at("particles").get<std::uint64_t>();
+        entry.method = filter.at("method").get<std::string>();
         entry.update_distance_m = filter.at("update_distance_m").get<double>();
         entry.update_turn_rad = filter.at("update_turn_rad").get<double>();
         return entry;

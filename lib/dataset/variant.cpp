@@ -36,6 +36,8 @@ Variant draw_variant(const Json& item, RandomStream random, const std::string& w
     expect_each(mix.at("odometry"), key("odometry"), "names of presets",
                 [](const Json& value) { return value.is_string(); });
     expect_each(mix.at("update_distances"), key("update_distances"), "pairs [metres, radians]", is_pair_of_numbers);
+    expect_each(mix.at("methods"), key("methods"), "names of methods",
+                [](const Json& value) { return value.is_string(); });
     Variant variant;
     if (const Json* particles = drawn(mix.at("particles"), random)) {
         variant.filter["particles"] = *particles;
@@ -49,6 +51,9 @@ Variant draw_variant(const Json& item, RandomStream random, const std::string& w
     if (const Json* distances = drawn(mix.at("update_distances"), random)) {
         variant.filter["update_distance_m"] = (*distances)[0].get<double>();
         variant.filter["update_turn_rad"] = (*distances)[1].get<double>();
+    }
+    if (const Json* method = drawn(mix.at("methods"), random)) {
+        variant.filter["method"] = *method;
     }
     return variant;
 }

@@ -29,20 +29,27 @@ std::set<std::string> ids_of(const RunPlan& plan) {
     return ids;
 }
 
-const Json mix{{"particles", {15, 30, 60}}, {"lidars", {"ls-m10p", "sick-lms"}}, {"update_distances", {{0.5, 0.25}}}};
+const Json mix{{"particles", {15, 30, 60}},
+               {"lidars", {"ls-m10p", "sick-lms"}},
+               {"update_distances", {{0.5, 0.25}}},
+               {"methods", {"gmapping", "paper"}}};
 
 TEST(PlanRuns, DrawsEachRunFromTheMix) {
     const Json worlds = Json::array({{{"world", "random:office:{seed}"}, {"seeds", {{"first", 5}, {"count", 40}}}}});
     const RunPlan plan = planned({{"worlds", worlds}, {"mix", mix}});
     ASSERT_EQ(plan.runs.size(), 40U);
     std::map<std::uint64_t, int> particles;
+    std::set<std::string> methods;
     for (const PlannedRun& run : plan.runs) {
         ++particles[run.entry.particles];
         EXPECT_EQ(run.entry.update_distance_m, 0.5);
         EXPECT_EQ(run.configuration.at("filter").at("particles"), run.entry.particles);
         EXPECT_EQ(run.configuration.at("simulation").at("lidar").at("preset"), run.entry.lidar);
         EXPECT_EQ(run.configuration.at("filter").at("seed"), run.entry.seed);
+        EXPECT_EQ(run.configuration.at("filter").at("method"), run.entry.method);
+        methods.insert(run.entry.method);
     }
+    EXPECT_EQ(methods.size(), 2U);
     EXPECT_EQ(particles.size(), 3U);
     EXPECT_EQ(plan.runs[0].entry.scene, "random:office:5");
     EXPECT_EQ(plan.sources[39].name, "random:office:44");
