@@ -9,6 +9,7 @@
 #include "compare/report.hpp"
 #include "compare/result_tables.hpp"
 #include "compare/world_pictures.hpp"
+#include "detectors.hpp"
 #include "version.hpp"
 
 namespace ddtool {
@@ -60,7 +61,7 @@ Json CompareCommand::default_settings() const { return compare::default_experime
 
 ExitCode CompareCommand::run(const Json& settings) {
     const Clock::time_point start = Clock::now();
-    const compare::Experiment experiment = compare::experiment_from_json(settings);
+    const compare::Experiment experiment = compare::experiment_from_json(settings, all_detectors());
     const std::vector<compare::Cell> cells = compare::cells_of(experiment);
     compare::ResultStore store(folder_);
     ThreadPool threads(threads_);

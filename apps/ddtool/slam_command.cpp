@@ -7,6 +7,7 @@
 #include "base/log.hpp"
 #include "base/process_usage.hpp"
 #include "base/progress.hpp"
+#include "detectors.hpp"
 #include "log_options.hpp"
 #include "results/run_folder.hpp"
 #include "results/run_report.hpp"
@@ -65,7 +66,7 @@ void SlamCommand::add_options(CLI::App& app) {
         ->required();
     bind_option(app, "--method", "filter.method", "One of " + joined(method_names()));
     bind_option(app, "--detector", "filter.detector",
-                "covariance, step-spread, neff, oracle, none or a model's file; empty: the method's own");
+                "ddmodel-lite, covariance, step-spread, neff, oracle, none or a model's file; empty: the method's own");
     bind_option(app, "--particles", "filter.particles", "Hypotheses, each with its own map");
     bind_option(app, "--seed", "filter.seed", "Of all chance: the same seed gives the same result");
     app.add_option("--threads", threads_, "0: every core; the result does not depend on it")
@@ -85,10 +86,11 @@ Json SlamCommand::default_settings() const {
 ExitCode SlamCommand::run(const Json& settings) {
     const auto start = Clock::now();
     const FilterSettings filter_settings = filter_settings_from_json(settings.at("filter"));
+    ThreadPool threads(threads_);
+    // Before the log is opened: a detector that needs LibTorch starts the command anew.
+    std::unique_ptr<Rbpf> filter = make_filter(filter_settings, all_detectors(), threads);
     LogReport problems;
     DrivenScans scans(open_log(log_file_, log_options(settings.at("log")), problems.handler()), filter_settings.rbpf);
-    ThreadPool threads(threads_);
-    std::unique_ptr<Rbpf> filter = make_filter(filter_settings, DetectorTable(), threads);
     const InterruptRequest interrupt;
     RunFolder folder(folder_, with_snapshots_);
     const FilterRun result = run_over(scans, std::move(filter), interrupt, folder);

@@ -52,7 +52,7 @@ void make_image(ParticleRenderer& renderer, detection::Particles swarm, const Sc
 
 }  // namespace
 
-double inference_time_ms(learning::DegreeModel& model, std::span<const detection::Particles> swarms,
+double inference_time_ms(native::DegreeModel& model, std::span<const detection::Particles> swarms,
                          bool through_file) {
     ParticleRenderer renderer(model.description().image);
     const ScratchFile file;

@@ -109,10 +109,8 @@ std::unique_ptr<Method> MethodEntry::start(const std::string& world, std::uint64
     return std::make_unique<OdometryMethod>();
 }
 
-/// Of the detector's file; empty where it has none.
 std::string MethodEntry::model_fingerprint() const {
-    const std::string detector = parts_of(filter_settings(settings_, 0).method).detector;
-    return detectors_.is_file(detector) ? file_fingerprint(detector) : "";
+    return detectors_.model_fingerprint(parts_of(filter_settings(settings_, 0).method).detector);
 }
 
 std::string MethodEntry::file(const std::string& world, std::uint64_t seed) const {

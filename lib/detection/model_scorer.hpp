@@ -3,17 +3,17 @@
 #include <memory>
 
 #include "detection/detector.hpp"
-#include "learning/degree_model.hpp"
+#include "native/degree_model.hpp"
 
 namespace ddtool::detection {
 
 /// A trained network with the renderer of the images it knows: from swarms to degrees, many images at once. For the
-/// filter: detector_of(). One thread at a time; copies share the network. Throws UsageError where the network's image
+/// filter: native::network_detector(). One thread at a time; copies share the network. Throws UsageError where the network's image
 /// settings make no sense.
-SwarmScorer scorer_of(std::shared_ptr<learning::DegreeModel> model);
+SwarmScorer scorer_of(std::shared_ptr<native::DegreeModel> model);
 
 /// The same with where the network comes from. Networks whose descriptions differ in seed, metrics and temperature
 /// alone are one family.
-Detector detector_of(const std::shared_ptr<learning::DegreeModel>& model);
+Detector detector_of(const std::shared_ptr<native::DegreeModel>& model);
 
 }  // namespace ddtool::detection

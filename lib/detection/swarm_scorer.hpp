@@ -4,7 +4,6 @@
 #include <span>
 #include <vector>
 
-#include "particles/degeneracy_detector.hpp"
 #include "particles/particle_snapshot.hpp"
 
 namespace ddtool::detection {
@@ -24,14 +23,6 @@ inline SwarmScorer one_by_one(std::function<double(Particles)> score) {
             scores.push_back(score(swarm));
         }
         return scores;
-    };
-}
-
-/// For the filter. The scores have to be degrees, in 0..1.
-inline DegeneracyDetector detector_of(SwarmScorer scorer) {
-    return [scorer = std::move(scorer)](const ParticleSnapshot& snapshot) {
-        const Particles swarm(snapshot.particles);
-        return Degeneracy{scorer(std::span(&swarm, 1)).front()};
     };
 }
 

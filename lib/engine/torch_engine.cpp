@@ -22,9 +22,9 @@ void expect_device(const std::string& device) {
     }
 }
 
-std::unique_ptr<learning::DegreeModel> model_of(training::Checkpoint& checkpoint, const learning::RunOptions& options) {
+std::unique_ptr<native::DegreeModel> model_of(training::Checkpoint& checkpoint, const learning::RunOptions& options) {
     const std::shared_ptr<models::Network> network = checkpoint.network();
-    learning::ModelDescription about = checkpoint.description();
+    native::ModelDescription about = checkpoint.description();
     const torch::Device device(options.device);
     network->to(device);
     if (options.precision == "bf16") {
@@ -64,14 +64,14 @@ public:
 
     void export_model(const std::filesystem::path& checkpoint, const std::filesystem::path& out) const override {
         training::Checkpoint source(checkpoint);
-        const learning::ModelDescription about = source.description();
+        const native::ModelDescription about = source.description();
         const std::shared_ptr<models::Network> network = source.network();
         inference::write_torch_script(out, *network, about);
-        learning::write_safetensors(std::filesystem::path(out).replace_extension(".safetensors"),
+        native::write_safetensors(std::filesystem::path(out).replace_extension(".safetensors"),
                                     inference::plain_weights(*network, about));
     }
 
-    [[nodiscard]] std::unique_ptr<learning::DegreeModel> load(const std::filesystem::path& file,
+    [[nodiscard]] std::unique_ptr<native::DegreeModel> load(const std::filesystem::path& file,
                                                               const learning::RunOptions& options) const override {
         expect_device(options.device);
         if (inference::is_exported_model(file)) {

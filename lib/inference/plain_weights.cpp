@@ -2,8 +2,8 @@
 
 namespace ddtool::inference {
 
-learning::PlainWeights plain_weights(const models::Network& network, const learning::ModelDescription& about) {
-    learning::PlainWeights weights{Json(about).dump(), {}};
+native::PlainWeights plain_weights(const models::Network& network, const native::ModelDescription& about) {
+    native::PlainWeights weights{Json(about).dump(), {}};
     const auto add = [&](const auto& items) {
         for (const auto& item : items) {
             const torch::Tensor values = item.value().detach().to(torch::kCPU, torch::kFloat32).contiguous();

@@ -1,12 +1,12 @@
 #pragma once
 
-#include "learning/model_description.hpp"
-#include "learning/safetensors.hpp"
+#include "native/model_description.hpp"
+#include "native/safetensors.hpp"
 #include "models/network.hpp"
 
 namespace ddtool::inference {
 
 /// The tensors of a network under their dotted names, batch statistics among them.
-learning::PlainWeights plain_weights(const models::Network& network, const learning::ModelDescription& about);
+native::PlainWeights plain_weights(const models::Network& network, const native::ModelDescription& about);
 
 }  // namespace ddtool::inference

@@ -4,7 +4,7 @@
 
 namespace ddtool::inference {
 
-TorchModel::TorchModel(learning::ModelDescription description, Forward forward, const learning::RunOptions& options)
+TorchModel::TorchModel(native::ModelDescription description, Forward forward, const learning::RunOptions& options)
     : description_(std::move(description)),
       forward_(std::move(forward)),
       device_(options.device),
@@ -26,7 +26,7 @@ void TorchModel::run(std::span<const float> images, std::span<double> degrees) {
     const torch::Tensor input =
         torch::from_blob(const_cast<float*>(images.data()), {count, 1, size, size}).to(device_, type_);
     const torch::Tensor values =
-        forward_(input).select(1, learning::degenerate_output).to(torch::kCPU, torch::kFloat64);
+        forward_(input).select(1, native::degenerate_output).to(torch::kCPU, torch::kFloat64);
     std::copy_n(values.contiguous().data_ptr<double>(), degrees.size(), degrees.begin());
 }
 

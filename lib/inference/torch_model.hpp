@@ -9,18 +9,18 @@
 namespace ddtool::inference {
 
 /// Runs a function of LibTorch on images in plain memory.
-class TorchModel : public learning::DegreeModel {
+class TorchModel : public native::DegreeModel {
 public:
     /// Images [n, 1, size_px, size_px] to the two values [n, 2].
     using Forward = std::function<torch::Tensor(const torch::Tensor& images)>;
 
-    TorchModel(learning::ModelDescription description, Forward forward, const learning::RunOptions& options);
+    TorchModel(native::ModelDescription description, Forward forward, const learning::RunOptions& options);
 
-    [[nodiscard]] const learning::ModelDescription& description() const override { return description_; }
+    [[nodiscard]] const native::ModelDescription& description() const override { return description_; }
     void run(std::span<const float> images, std::span<double> degrees) override;
 
 private:
-    learning::ModelDescription description_;
+    native::ModelDescription description_;
     Forward forward_;
     torch::Device device_;
     torch::ScalarType type_;

@@ -35,7 +35,7 @@ torch::jit::Module owner_of(const torch::nn::Module& network, const std::string&
 }
 
 /// Records what the network does with a batch as the method "forward" of its owner.
-void trace_forward(torch::jit::Module& owner, models::Network& network, const learning::ModelDescription& description) {
+void trace_forward(torch::jit::Module& owner, models::Network& network, const native::ModelDescription& description) {
     const auto size = static_cast<std::int64_t>(description.image.size_px);
     // Two images: with one, a step that only works for a batch of one would go unnoticed.
     const torch::Tensor images = torch::zeros({2, 1, size, size}, network.parameters().front().options());
@@ -56,12 +56,12 @@ bool has_file(const std::filesystem::path& path, const std::string& name) {
     return reader.hasRecord("extra/" + name);
 }
 
-learning::ModelDescription description_in(const std::string& text, const std::filesystem::path& path) {
+native::ModelDescription description_in(const std::string& text, const std::filesystem::path& path) {
     if (text.empty()) {
         throw Error(path.string() + ": not a model of ddtool: no " + description_file + " inside");
     }
     try {
-        return Json::parse(text).get<learning::ModelDescription>();
+        return Json::parse(text).get<native::ModelDescription>();
     } catch (const Json::exception& error) {
         throw Error(path.string() + ": its " + description_file + ": " + error.what());
     }
@@ -70,7 +70,7 @@ learning::ModelDescription description_in(const std::string& text, const std::fi
 }  // namespace
 
 void write_torch_script(const std::filesystem::path& path, models::Network& network,
-                        const learning::ModelDescription& description) {
+                        const native::ModelDescription& description) {
     network.eval();
     const torch::NoGradGuard no_gradients;
     torch::jit::Module owner = owner_of(network, "network", std::make_shared<torch::jit::CompilationUnit>());
@@ -91,7 +91,7 @@ bool is_exported_model(const std::filesystem::path& path) {
     }
 }
 
-std::unique_ptr<learning::DegreeModel> load_torch_script(const std::filesystem::path& path,
+std::unique_ptr<native::DegreeModel> load_torch_script(const std::filesystem::path& path,
                                                          const learning::RunOptions& options) {
     torch::jit::ExtraFilesMap extra{{description_file, ""}};
     torch::jit::Module module;
@@ -100,7 +100,7 @@ std::unique_ptr<learning::DegreeModel> load_torch_script(const std::filesystem::
     } catch (const c10::Error& error) {
         throw Error(path.string() + ": not a TorchScript model: " + error.what_without_backtrace());
     }
-    learning::ModelDescription description = description_in(extra.at(description_file), path);
+    native::ModelDescription description = description_in(extra.at(description_file), path);
     module.eval();
     if (options.precision == "bf16") {
         module.to(torch::kBFloat16);

@@ -12,7 +12,7 @@ namespace ddtool::inference {
 /// output_values(), for any n. The description travels inside as the extra file ddtool.json. The network is put into
 /// its evaluation mode.
 void write_torch_script(const std::filesystem::path& path, models::Network& network,
-                        const learning::ModelDescription& description);
+                        const native::ModelDescription& description);
 
 /// Whether the file holds what write_torch_script() writes, rather than a checkpoint. Throws Error where it can be
 /// neither.
@@ -20,7 +20,7 @@ bool is_exported_model(const std::filesystem::path& path);
 
 /// A model that write_torch_script() wrote. Throws Error naming the file for one that is damaged or not of ddtool.
 /// TorchScript is a program: load only files you trust.
-std::unique_ptr<learning::DegreeModel> load_torch_script(const std::filesystem::path& path,
+std::unique_ptr<native::DegreeModel> load_torch_script(const std::filesystem::path& path,
                                                          const learning::RunOptions& options);
 
 }  // namespace ddtool::inference

@@ -5,10 +5,10 @@
 namespace ddtool::models {
 namespace {
 
-torch::nn::Sequential blocks_of(const learning::DDModelTable& table) {
+torch::nn::Sequential blocks_of(const native::DDModelTable& table) {
     torch::nn::Sequential blocks;
     std::int64_t channels = table.stem.channels;
-    for (const learning::GroupRow& group : table.groups) {
+    for (const native::GroupRow& group : table.groups) {
         for (std::int64_t block = 0; block < group.blocks; ++block) {
             blocks->push_back(std::make_shared<BasicBlock>(channels, group.channels, block == 0 ? group.stride : 1));
             channels = group.channels;
@@ -19,7 +19,7 @@ torch::nn::Sequential blocks_of(const learning::DDModelTable& table) {
 
 }  // namespace
 
-DDModel::DDModel(const learning::DDModelTable& table, std::int64_t size_px)
+DDModel::DDModel(const native::DDModelTable& table, std::int64_t size_px)
     : stem_(register_module("stem", std::make_shared<ConvNorm>(ConvNormOptions{.in_channels = 1,
                                                                                .out_channels = table.stem.channels,
                                                                                .kernel_px = table.stem.kernel_px,
@@ -28,7 +28,7 @@ DDModel::DDModel(const learning::DDModelTable& table, std::int64_t size_px)
       groups_(register_module("groups", blocks_of(table))),
       embedding_(register_module("embedding", torch::nn::Linear(table.groups.back().channels, table.encoder.width))),
       position_(
-          register_parameter("position", torch::empty({learning::token_count(table, size_px), table.encoder.width}))),
+          register_parameter("position", torch::empty({native::token_count(table, size_px), table.encoder.width}))),
       encoder_(register_module("encoder", std::make_shared<EncoderLayer>(table.encoder))),
       norm_(register_module("norm", torch::nn::LayerNorm(torch::nn::LayerNormOptions({table.encoder.width})))),
       head_(register_module("head", torch::nn::Linear(table.encoder.width, 2))) {

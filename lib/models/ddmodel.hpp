@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <memory>
 
-#include "learning/dd_tables.hpp"
+#include "native/dd_tables.hpp"
 #include "models/encoder_layer.hpp"
 #include "models/layers.hpp"
 #include "models/network.hpp"
@@ -15,7 +15,7 @@ namespace ddtool::models {
 /// The networks of learning/dd_tables.hpp.
 class DDModel : public Network {
 public:
-    DDModel(const learning::DDModelTable& table, std::int64_t size_px);
+    DDModel(const native::DDModelTable& table, std::int64_t size_px);
     torch::Tensor forward(const torch::Tensor& images) override;
 
     /// The backbone: images to maps [n, channels, side, side].

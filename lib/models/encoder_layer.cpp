@@ -12,7 +12,7 @@ torch::nn::LayerNorm layer_norm(std::int64_t width) {
 
 }  // namespace
 
-EncoderLayer::EncoderLayer(const learning::EncoderRow& row)
+EncoderLayer::EncoderLayer(const native::EncoderRow& row)
     : heads_(row.heads),
       attention_norm_(register_module("attention_norm", layer_norm(row.width))),
       query_key_value_(register_module("query_key_value", torch::nn::Linear(row.width, 3 * row.width))),

@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "learning/dd_tables.hpp"
+#include "native/dd_tables.hpp"
 
 namespace ddtool::models {
 
@@ -13,7 +13,7 @@ namespace ddtool::models {
 /// the batch of the trace into the exported model.
 class EncoderLayer : public torch::nn::Module {
 public:
-    explicit EncoderLayer(const learning::EncoderRow& row);
+    explicit EncoderLayer(const native::EncoderRow& row);
     /// x: [n, tokens, width], float32, which it also returns; under autocast only the products are rounded.
     torch::Tensor forward(const torch::Tensor& x);
 

@@ -6,9 +6,9 @@
 namespace ddtool::native {
 namespace {
 
-std::vector<BasicBlock> blocks_of(NamedWeights& weights, const learning::DDModelTable& table, MapShape shape) {
+std::vector<BasicBlock> blocks_of(NamedWeights& weights, const DDModelTable& table, MapShape shape) {
     std::vector<BasicBlock> blocks;
-    for (const learning::GroupRow& group : table.groups) {
+    for (const GroupRow& group : table.groups) {
         for (std::int64_t block = 0; block < group.blocks; ++block) {
             blocks.emplace_back(weights, "groups." + std::to_string(blocks.size()), shape,
                                 static_cast<std::size_t>(group.channels),
@@ -27,7 +27,7 @@ std::size_t tokens_in(const MapShape& map) { return map.side * map.side; }
 
 }  // namespace
 
-DDNetwork::DDNetwork(NamedWeights& weights, const learning::DDModelTable& table, std::size_t size_px)
+DDNetwork::DDNetwork(NamedWeights& weights, const DDModelTable& table, std::size_t size_px)
     : stem_(weights, table.stem, size_px),
       blocks_(blocks_of(weights, table, stem_.out_shape())),
       embedding_(embedding_of(weights, blocks_.back().out_shape(), static_cast<std::size_t>(table.encoder.width))),

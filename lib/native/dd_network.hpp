@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "learning/dd_tables.hpp"
 #include "native/basic_block.hpp"
+#include "native/dd_tables.hpp"
 #include "native/encoder_layer.hpp"
 #include "native/stem.hpp"
 
@@ -16,7 +16,7 @@ class DDNetwork {
 public:
     /// Takes all of the network's tensors, under the names that models::DDModel gives them. Channels and the width of
     /// a head are multiples of block_width. Throws Error as NamedWeights does.
-    DDNetwork(NamedWeights& weights, const learning::DDModelTable& table, std::size_t size_px);
+    DDNetwork(NamedWeights& weights, const DDModelTable& table, std::size_t size_px);
 
     /// The two logits of an image of size_px * size_px floats, row by row from the top.
     std::array<double, 2> run(std::span<const float> image);

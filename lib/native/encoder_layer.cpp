@@ -11,7 +11,7 @@ std::size_t size(std::int64_t value) { return static_cast<std::size_t>(value); }
 
 }  // namespace
 
-EncoderLayer::EncoderLayer(NamedWeights& weights, const learning::EncoderRow& row, std::size_t tokens)
+EncoderLayer::EncoderLayer(NamedWeights& weights, const EncoderRow& row, std::size_t tokens)
     : attention_norm_(weights, "encoder.attention_norm", tokens, size(row.width)),
       query_key_value_(linear_of(weights, "query_key_value", {size(row.width), 3 * size(row.width)}, tokens)),
       attention_(tokens, size(row.width), size(row.heads)),

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "learning/dd_tables.hpp"
 #include "native/affine_layer.hpp"
 #include "native/attention.hpp"
+#include "native/dd_tables.hpp"
 #include "native/layer_norm.hpp"
 
 namespace ddtool::native {
@@ -10,7 +10,7 @@ namespace ddtool::native {
 /// One layer of a transformer encoder as models::EncoderLayer: normalisation first. Takes encoder.*.
 class EncoderLayer {
 public:
-    EncoderLayer(NamedWeights& weights, const learning::EncoderRow& row, std::size_t tokens);
+    EncoderLayer(NamedWeights& weights, const EncoderRow& row, std::size_t tokens);
 
     /// [tokens][width] to the same; the layer's own buffer, good until the next run.
     const float* run(const float* in);

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "base/atomic_file.hpp"
 #include "base/error.hpp"
 #include "base/settings.hpp"
 #include "native/dd_network.hpp"
@@ -9,12 +10,12 @@
 namespace ddtool::native {
 namespace {
 
-class NativeModel : public learning::DegreeModel {
+class NativeModel : public DegreeModel {
 public:
-    NativeModel(learning::ModelDescription description, DDNetwork network)
+    NativeModel(ModelDescription description, DDNetwork network)
         : description_(std::move(description)), network_(std::move(network)) {}
 
-    [[nodiscard]] const learning::ModelDescription& description() const override { return description_; }
+    [[nodiscard]] const ModelDescription& description() const override { return description_; }
 
     void run(std::span<const float> images, std::span<double> degrees) override {
         const std::size_t size_px = description_.image.size_px;
@@ -31,17 +32,17 @@ public:
 private:
     /// Softmax of two is the sigmoid of their difference.
     [[nodiscard]] double degree(const std::array<double, 2>& logits) const {
-        const double other = description_.loss == "bce" ? 0.0 : logits[1 - learning::degenerate_output];
-        return 1.0 / (1.0 + std::exp((other - logits[learning::degenerate_output]) / description_.temperature));
+        const double other = description_.loss == "bce" ? 0.0 : logits[1 - degenerate_output];
+        return 1.0 / (1.0 + std::exp((other - logits[degenerate_output]) / description_.temperature));
     }
 
-    learning::ModelDescription description_;
+    ModelDescription description_;
     DDNetwork network_;
 };
 
-learning::ModelDescription description_in(const std::string& text) {
+ModelDescription description_in(const std::string& text) {
     try {
-        auto description = Json::parse(text).get<learning::ModelDescription>();
+        auto description = Json::parse(text).get<ModelDescription>();
         expect_valid(description.image);
         return description;
     } catch (const Json::exception& error) {
@@ -49,8 +50,8 @@ learning::ModelDescription description_in(const std::string& text) {
     }
 }
 
-const learning::DDModelTable& table_of(const std::string& network) {
-    const learning::DDModelTable* const table = learning::find_ddmodel_table(network);
+const DDModelTable& table_of(const std::string& network) {
+    const DDModelTable* const table = find_ddmodel_table(network);
     if (table == nullptr) {
         throw Error("holds the network " + network + "; only ddmodel and ddmodel-lite run without LibTorch");
     }
@@ -59,16 +60,20 @@ const learning::DDModelTable& table_of(const std::string& network) {
 
 }  // namespace
 
-std::unique_ptr<learning::DegreeModel> load_model(const std::filesystem::path& path) {
-    learning::PlainWeights file = learning::read_safetensors(path);
+std::unique_ptr<DegreeModel> load_model(const std::filesystem::path& path) {
+    return load_model(read_file(path), path.string());
+}
+
+std::unique_ptr<DegreeModel> load_model(std::string_view bytes, const std::string& name) {
+    PlainWeights file = parse_safetensors(bytes, name);
     NamedWeights weights(std::move(file.tensors));
     try {
-        learning::ModelDescription description = description_in(file.about);
+        ModelDescription description = description_in(file.about);
         DDNetwork network(weights, table_of(description.network), description.image.size_px);
         weights.expect_all_taken();
         return std::make_unique<NativeModel>(std::move(description), std::move(network));
     } catch (const Error& error) {
-        throw Error(path.string() + ": " + error.what());
+        throw Error(name + ": " + error.what());
     }
 }
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "learning/dd_tables.hpp"
+#include "native/dd_tables.hpp"
 
 namespace ddtool::native {
 
@@ -23,8 +23,7 @@ struct MapShape {
 
 /// Side of the map that a padded convolution or pooling makes.
 inline std::size_t strided(std::size_t side, std::size_t stride) {
-    return static_cast<std::size_t>(
-        learning::strided(static_cast<std::int64_t>(side), static_cast<std::int64_t>(stride)));
+    return static_cast<std::size_t>(strided(static_cast<std::int64_t>(side), static_cast<std::int64_t>(stride)));
 }
 
 /// Where every stride-th place of each axis lies, row by row.

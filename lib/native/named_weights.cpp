@@ -8,8 +8,8 @@
 
 namespace ddtool::native {
 
-NamedWeights::NamedWeights(std::vector<learning::NamedTensor> tensors) {
-    for (learning::NamedTensor& tensor : tensors) {
+NamedWeights::NamedWeights(std::vector<NamedTensor> tensors) {
+    for (NamedTensor& tensor : tensors) {
         tensors_.insert_or_assign(tensor.name, std::move(tensor));
     }
 }

@@ -4,14 +4,14 @@
 #include <string>
 #include <vector>
 
-#include "learning/safetensors.hpp"
+#include "native/safetensors.hpp"
 
 namespace ddtool::native {
 
 /// The tensors of a file, for a network that takes each of its own by name and shape.
 class NamedWeights {
 public:
-    explicit NamedWeights(std::vector<learning::NamedTensor> tensors);
+    explicit NamedWeights(std::vector<NamedTensor> tensors);
 
     /// Its values, C order. Throws Error naming the tensor when it is not there or has another shape.
     std::vector<float> take(const std::string& name, const std::vector<std::size_t>& shape);
@@ -19,7 +19,7 @@ public:
     void expect_all_taken() const;
 
 private:
-    std::map<std::string, learning::NamedTensor> tensors_;
+    std::map<std::string, NamedTensor> tensors_;
 };
 
 }  // namespace ddtool::native

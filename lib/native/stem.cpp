@@ -39,7 +39,7 @@ DDTOOL_VECTORISED void pool_map(const Floats& map, const MapShape& shape, Floats
 
 }  // namespace
 
-Stem::Stem(NamedWeights& weights, const learning::StemRow& row, std::size_t size_px)
+Stem::Stem(NamedWeights& weights, const StemRow& row, std::size_t size_px)
     : size_px_(size_px),
       kernel_px_(static_cast<std::size_t>(row.kernel_px)),
       stride_(static_cast<std::size_t>(row.stride)),

@@ -2,8 +2,8 @@
 
 #include <span>
 
-#include "learning/dd_tables.hpp"
 #include "native/affine_layer.hpp"
+#include "native/dd_tables.hpp"
 
 namespace ddtool::native {
 
@@ -12,7 +12,7 @@ namespace ddtool::native {
 class Stem {
 public:
     /// Takes stem.conv.weight and stem.norm.*.
-    Stem(NamedWeights& weights, const learning::StemRow& row, std::size_t size_px);
+    Stem(NamedWeights& weights, const StemRow& row, std::size_t size_px);
 
     [[nodiscard]] const MapShape& out_shape() const { return out_shape_; }
     /// image: size_px * size_px floats, row by row. The stem's own buffer, good until the next run.

@@ -71,6 +71,32 @@ void set_normal(ScanPoints& points, std::size_t point, const ScanPointsSettings&
     points.along_weight[point] = static_cast<float>(roughness * roughness);
 }
 
+/// Where the next beam of the wall ends that the beams `last` and the one before it see: along a straight wall the
+/// inverse range is linear in small angles.
+double continued_m(double before_m, double last_m) { return 1.0 / (2.0 / last_m - 1.0 / before_m); }
+
+/// Whether a beam met an edge and its range is a mixture of those before and behind it (a veiling or mixed point): it
+/// lies between its neighbours, apart from both, and on neither's wall. At the edges of recesses and doors such points
+/// float behind what is there; a map with them lets every corridor come out long.
+bool is_mixed(const std::vector<float>& ranges_m, std::size_t beam) {
+    constexpr double gap_m = 0.05;
+    constexpr double gap_per_m = 0.01;
+    if (beam < 2 || beam + 2 >= ranges_m.size()) {
+        return false;
+    }
+    const auto range_m = [&](std::size_t index) { return static_cast<double>(ranges_m[index]); };
+    if (!std::isfinite(range_m(beam - 1)) || !std::isfinite(range_m(beam + 1))) {
+        return false;
+    }
+    const double here_m = range_m(beam);
+    const double gap = gap_m + gap_per_m * here_m;
+    const auto apart = [&](double other_m) { return !(std::abs(here_m - other_m) <= gap); };
+    const bool between = (range_m(beam - 1) < here_m) == (here_m < range_m(beam + 1));
+    return between && apart(range_m(beam - 1)) && apart(range_m(beam + 1)) &&
+           apart(continued_m(range_m(beam - 2), range_m(beam - 1))) &&
+           apart(continued_m(range_m(beam + 2), range_m(beam + 1)));
+}
+
 /// Neighbouring end points on the way to becoming one.
 struct Group {
     Point2 first;
@@ -106,6 +132,9 @@ void add_end_points(ScanPoints& points, const SensorFrame& frame, const ScanPoin
         if (!(range_m <= settings.usable_range_m)) {
             close_group(points, group, order);
             order += 2;
+            continue;
+        }
+        if (is_mixed(frame.scan.ranges_m, beam)) {
             continue;
         }
         const double angle = frame.scan.angle_rad(beam);

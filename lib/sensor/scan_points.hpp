@@ -25,7 +25,7 @@ struct ScanPoints {
 struct ScanPointsSettings {
     double usable_range_m = 40.0;   ///< longer returns are left out: their end points are beams apart
     double spacing_m = 0.03;        ///< nearer neighbours are merged
-    double normal_radius_m = 0.25;  ///< neighbours that define the surface normal of a point
+    double normal_radius_m = 0.18;  ///< neighbours that define the surface normal of a point
     /// Neighbours whose spread across is at most this share of that along form a line up to noise: it says nothing of
     /// where along it the point is. Counting noise as shape makes a bare wall hold the robot along itself.
     double line_flatness = 0.3;

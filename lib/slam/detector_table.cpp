@@ -5,7 +5,11 @@
 #include <memory>
 
 #include "base/error.hpp"
+#include "base/fingerprint.hpp"
 #include "base/settings.hpp"
+#include "native/load_model.hpp"
+#include "native/network_detector.hpp"
+#include "native/shipped_model.hpp"
 #include "particles/swarm_detectors.hpp"
 
 namespace ddtool {
@@ -19,7 +23,11 @@ DetectorTable::DetectorTable()
           {"neff", [](const DetectionSettings&, const MotionNoise&) { return effective_size_detector(); }},
           {"always", [](const DetectionSettings&, const MotionNoise&) { return always_degenerate(); }},
           {"oracle", [](const DetectionSettings&, const MotionNoise& noise) { return oracle_detector(noise); }},
-      } {}
+          {native::shipped_model_name, [](const DetectionSettings&,
+                                          const MotionNoise&) { return native::network_detector(native::shipped_model()); }},
+      },
+      file_kinds_{{".safetensors",
+                   [](const std::string& file) { return native::network_detector(native::load_model(std::filesystem::path(file))); }}} {}
 
 DegeneracyDetector DetectorTable::make(const std::string& name, const DetectionSettings& settings,
                                        const MotionNoise& noise) const {
@@ -38,6 +46,13 @@ DegeneracyDetector DetectorTable::make(const std::string& name, const DetectionS
         throw UsageError("filter.detector: expected " + joined(names) + ", not '" + name + "'");
     }
     return consulted_in_doubt(kind->second(name), settings);
+}
+
+std::string DetectorTable::model_fingerprint(const std::string& name) const {
+    if (name == native::shipped_model_name) {
+        return native::shipped_model_fingerprint();
+    }
+    return makers_.contains(name) ? "" : file_fingerprint(name);
 }
 
 DegeneracyDetector consulted_in_doubt(DegeneracyDetector detector, const DetectionSettings& settings) {

@@ -19,13 +19,14 @@ struct DetectionSettings {
     double every_m = 0.0;
 };
 
-/// The detectors by name, and by the ending of their file.
+/// The detectors by name, and by the ending of their file: rules, the network that is carried inside, networks in files.
 class DetectorTable {
 public:
     using Maker = std::function<DegeneracyDetector(const DetectionSettings& settings, const MotionNoise& noise)>;
     using FileMaker = std::function<DegeneracyDetector(const std::string& file)>;
 
-    /// Those that need no model: none, always, covariance, step-spread, neff, oracle.
+    /// Those that need no LibTorch: none, always, covariance, step-spread, neff, oracle, native::shipped_model_name,
+    /// and files that end with ".safetensors".
     DetectorTable();
     /// Makes detectors of files that end so, such as ".pt".
     void add_file_kind(const std::string& ending, FileMaker maker) { file_kinds_[ending] = std::move(maker); }
@@ -33,8 +34,8 @@ public:
     /// An empty function for "none". Throws UsageError for a name that is none of these.
     [[nodiscard]] DegeneracyDetector make(const std::string& name, const DetectionSettings& settings,
                                           const MotionNoise& noise) const;
-    /// Whether the name is that of a file, whose content then decides.
-    [[nodiscard]] bool is_file(const std::string& name) const { return !makers_.contains(name); }
+    /// Of the network's weights, which decide with the settings what a detector says; empty for a rule.
+    [[nodiscard]] std::string model_fingerprint(const std::string& name) const;
 
 private:
     std::map<std::string, Maker> makers_;

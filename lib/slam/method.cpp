@@ -4,6 +4,7 @@
 
 #include "base/error.hpp"
 #include "base/settings.hpp"
+#include "native/shipped_model.hpp"
 
 namespace ddtool {
 namespace {
@@ -18,7 +19,7 @@ const std::vector<Method>& methods() {
     static const std::vector<Method> table{
         {"gmapping", {}},
         {"paper", {"covariance", "coarse-fine", "lidar-score", "enhanced", "as-logged"}},
-        {"anti-degeneracy", {"step-spread", "none", "information", "systematic", "learnt"}},
+        {"anti-degeneracy", {native::shipped_model_name, "none", "information", "systematic", "learnt"}},
         {"fisher-gate", {"none", "none", "eigenvalue-gate", "systematic", "as-logged"}},
         {"dn-csm", {"none", "correlative", "none", "systematic", "as-logged"}, true},
         {"odometry", {"none", "none", "odometry", "systematic", "as-logged"}, true},

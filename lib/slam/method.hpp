@@ -26,7 +26,7 @@ struct MethodParts {
 
 /// Which method, its parts where they differ from the method's own, and the settings of all parts.
 struct MethodSettings {
-    std::string method = "gmapping";
+    std::string method = "anti-degeneracy";
     MethodParts parts{"", "", "", "", ""};  ///< empty: as the method has it
     DetectionSettings detection;
     CoarseFineSettings coarse_fine;

@@ -17,7 +17,7 @@ constexpr const char* optimizer_key = "optimizer";
 constexpr const char* random_key = "random_state";
 
 void put_network(torch::serialize::OutputArchive& archive, const models::Network& network,
-                 const learning::ModelDescription& description) {
+                 const native::ModelDescription& description) {
     archive.write(description_key, torch::IValue(Json(description).dump()));
     torch::serialize::OutputArchive weights(archive.compilation_unit());
     network.save(weights);
@@ -33,14 +33,14 @@ void write_archive(const std::filesystem::path& path, torch::serialize::OutputAr
 }  // namespace
 
 void write_checkpoint(const std::filesystem::path& path, const models::Network& network,
-                      const learning::ModelDescription& description) {
+                      const native::ModelDescription& description) {
     torch::serialize::OutputArchive archive;
     put_network(archive, network, description);
     write_archive(path, archive);
 }
 
 void write_checkpoint(const std::filesystem::path& path, const models::Network& network,
-                      const learning::ModelDescription& description, const torch::optim::Optimizer& optimizer,
+                      const native::ModelDescription& description, const torch::optim::Optimizer& optimizer,
                       const TrainingState& state) {
     torch::serialize::OutputArchive archive;
     put_network(archive, network, description);
@@ -77,12 +77,12 @@ std::string Checkpoint::text(const char* key) {
     return value.toStringRef();
 }
 
-learning::ModelDescription Checkpoint::description() {
-    return guarded([&] { return Json::parse(text(description_key)).get<learning::ModelDescription>(); });
+native::ModelDescription Checkpoint::description() {
+    return guarded([&] { return Json::parse(text(description_key)).get<native::ModelDescription>(); });
 }
 
 std::shared_ptr<models::Network> Checkpoint::network() {
-    const learning::ModelDescription about = description();
+    const native::ModelDescription about = description();
     std::shared_ptr<models::Network> network = models::make_network(about.network, about.image.size_px);
     guarded([&] {
         torch::serialize::InputArchive weights;

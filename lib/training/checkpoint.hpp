@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <memory>
 
-#include "learning/model_description.hpp"
+#include "native/model_description.hpp"
 #include "models/network.hpp"
 #include "training/training_state.hpp"
 
@@ -15,9 +15,9 @@ namespace ddtool::training {
 /// random state, place in the data), as LibTorch's archive. The old file stays until the new one is whole. Throws Error
 /// naming the file.
 void write_checkpoint(const std::filesystem::path& path, const models::Network& network,
-                      const learning::ModelDescription& description);
+                      const native::ModelDescription& description);
 void write_checkpoint(const std::filesystem::path& path, const models::Network& network,
-                      const learning::ModelDescription& description, const torch::optim::Optimizer& optimizer,
+                      const native::ModelDescription& description, const torch::optim::Optimizer& optimizer,
                       const TrainingState& state);
 
 /// A checkpoint that was opened. Every member throws Error naming the file where it is damaged.
@@ -25,7 +25,7 @@ class Checkpoint {
 public:
     explicit Checkpoint(const std::filesystem::path& path);
 
-    [[nodiscard]] learning::ModelDescription description();
+    [[nodiscard]] native::ModelDescription description();
     /// The network in float32 on the CPU.
     [[nodiscard]] std::shared_ptr<models::Network> network();
     /// Where the training stood. Throws Error for a checkpoint without it, such as the best one.

@@ -203,8 +203,8 @@ void Trainer::end_epoch() {
     }
 }
 
-learning::ModelDescription Trainer::description() const {
-    learning::ModelDescription about;
+native::ModelDescription Trainer::description() const {
+    native::ModelDescription about;
     about.network = state_.settings.model;
     about.loss = state_.settings.loss;
     about.image = state_.settings.image;

@@ -34,7 +34,7 @@ private:
     void run_epoch();
     void take_step(learning::Batch& batch, std::size_t steps_per_epoch);
     void end_epoch();
-    [[nodiscard]] learning::ModelDescription description() const;
+    [[nodiscard]] native::ModelDescription description() const;
     void save_last();
     void save_if_due();
     void show_progress(std::size_t steps_per_epoch);

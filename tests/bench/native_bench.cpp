@@ -13,7 +13,7 @@ namespace ddtool {
 namespace {
 
 void write_model(const std::filesystem::path& path, const std::string& network) {
-    learning::write_safetensors(path, test::drawn_dd_model(network, 224));
+    native::write_safetensors(path, test::drawn_dd_model(network, 224));
 }
 
 /// What a command pays at its start.

@@ -12,7 +12,7 @@
 namespace ddtool::ablation::test {
 
 /// Not a network: the share of marked pixels, above or below what its settings' seed says.
-class BrightnessModel : public learning::DegreeModel {
+class BrightnessModel : public native::DegreeModel {
 public:
     explicit BrightnessModel(const learning::TrainSettings& settings) {
         description_.network = settings.model;
@@ -22,7 +22,7 @@ public:
         description_.split = settings.split;
         description_.seed = settings.seed;
     }
-    [[nodiscard]] const learning::ModelDescription& description() const override { return description_; }
+    [[nodiscard]] const native::ModelDescription& description() const override { return description_; }
     void run(std::span<const float> images, std::span<double> degrees) override {
         seen.assign(images.begin(), images.end());
         std::fill(degrees.begin(), degrees.end(), description_.seed == 1 ? 0.9 : 0.1);
@@ -33,7 +33,7 @@ public:
     std::size_t runs = 0;
 
 private:
-    learning::ModelDescription description_;
+    native::ModelDescription description_;
 };
 
 /// "Trains" by writing the settings down, which is all that its models need.
@@ -54,7 +54,7 @@ public:
     void export_model(const std::filesystem::path& checkpoint, const std::filesystem::path& out) const override {
         std::filesystem::copy_file(checkpoint, out, std::filesystem::copy_options::overwrite_existing);
     }
-    [[nodiscard]] std::unique_ptr<learning::DegreeModel> load(const std::filesystem::path& file,
+    [[nodiscard]] std::unique_ptr<native::DegreeModel> load(const std::filesystem::path& file,
                                                               const learning::RunOptions& options) const override {
         if (options.device != "cpu") {
             throw Error("there is no " + options.device);

@@ -115,9 +115,9 @@ TEST_F(StorageTest, NamesADamagedOrLaterManifest) {
     write_file(root_ / manifest_name, whole.substr(0, whole.size() / 2));
     EXPECT_THAT(opening(), HasSubstr("manifest.json: damaged"));
     Json later = Json::parse(whole);
-    later["ddtool_dataset"] = 2;
+    later["ddtool_dataset"] = 3;
     write_file(root_ / manifest_name, later.dump());
-    EXPECT_THAT(opening(), HasSubstr("manifest.json: version 2"));
+    EXPECT_THAT(opening(), HasSubstr("manifest.json: version 3"));
     Json poor = Json::parse(whole);
     poor.erase("shards");
     write_file(root_ / manifest_name, poor.dump());

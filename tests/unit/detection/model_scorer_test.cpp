@@ -4,20 +4,21 @@
 
 #include <numeric>
 
+#include "native/network_detector.hpp"
 #include "swarms.hpp"
 
 namespace ddtool::detection {
 namespace {
 
 /// Not a network: the share of marked pixels.
-class BrightnessModel : public learning::DegreeModel {
+class BrightnessModel : public native::DegreeModel {
 public:
     BrightnessModel() {
         description_.network = "brightness";
         description_.image = {.swarm = Swarm::step, .size_px = 64};
         description_.seed = 7;
     }
-    [[nodiscard]] const learning::ModelDescription& description() const override { return description_; }
+    [[nodiscard]] const native::ModelDescription& description() const override { return description_; }
     void run(std::span<const float> images, std::span<double> degrees) override {
         ++batches;
         const std::size_t pixels = images.size() / degrees.size();
@@ -27,7 +28,7 @@ public:
             degrees[image] = std::accumulate(own.begin(), own.end(), 0.0) / static_cast<double>(pixels);
         }
     }
-    learning::ModelDescription description_;
+    native::ModelDescription description_;
     std::size_t batches = 0;
 };
 
@@ -42,7 +43,7 @@ TEST(ModelScorer, ManySwarmsAtOnceAreAsOneByOne) {
     const std::vector<double> together = scorer(views);
     EXPECT_EQ(model->batches, 3U);
     ASSERT_EQ(together.size(), swarms.size());
-    const DegeneracyDetector detector = detector_of(scorer);
+    const DegeneracyDetector detector = native::network_detector(model);
     for (std::size_t swarm = 0; swarm < swarms.size(); ++swarm) {
         EXPECT_EQ(detector({0, 0, {}, swarms[swarm]}).degree, together[swarm]);
     }

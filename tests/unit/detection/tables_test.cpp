@@ -58,8 +58,8 @@ TEST(Report, HasEveryDetectorInEveryPart) {
     EXPECT_EQ(report.at("calibration").size(), 1U);
     EXPECT_EQ(report.at("reliability").size(), reliability_bin_count);
     EXPECT_TRUE(report.at("seeds").empty());
-    // by scene 1, lidar 1, odometry 1, update distance 1, particles 2
-    EXPECT_EQ(report.at("groups").size(), 6 * evaluations.size());
+    // by scene 1, lidar 1, odometry 1, method 1, update distance 1, particles 2
+    EXPECT_EQ(report.at("groups").size(), 7 * evaluations.size());
 }
 
 }  // namespace

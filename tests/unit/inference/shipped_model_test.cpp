@@ -11,7 +11,7 @@ namespace ddtool::inference {
 namespace {
 
 /// Degrees of drawn swarms of 30 particles whose matches keep that share of what odometry predicted along x.
-std::vector<double> degrees_of(learning::DegreeModel& model, double share) {
+std::vector<double> degrees_of(native::DegreeModel& model, double share) {
     ParticleRenderer renderer(model.description().image);
     const std::size_t pixels = renderer.settings().size_px * renderer.settings().size_px;
     std::vector<float> images;
@@ -29,7 +29,7 @@ std::vector<double> degrees_of(learning::DegreeModel& model, double share) {
     return degrees;
 }
 
-double mean_degree(learning::DegreeModel& model, double share) {
+double mean_degree(native::DegreeModel& model, double share) {
     const std::vector<double> degrees = degrees_of(model, share);
     return std::accumulate(degrees.begin(), degrees.end(), 0.0) / static_cast<double>(degrees.size());
 }

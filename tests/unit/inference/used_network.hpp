@@ -6,15 +6,15 @@
 #include <string>
 #include <vector>
 
-#include "learning/degree_model.hpp"
+#include "native/degree_model.hpp"
 #include "models/network.hpp"
 
 namespace ddtool::inference {
 
 inline constexpr std::int64_t size_px = 64;
 
-inline learning::ModelDescription described(const std::string& network, const std::string& loss) {
-    learning::ModelDescription about;
+inline native::ModelDescription described(const std::string& network, const std::string& loss) {
+    native::ModelDescription about;
     about.network = network;
     about.loss = loss;
     about.image.size_px = size_px;
@@ -28,7 +28,7 @@ inline torch::Tensor drawn_images(std::int64_t count) {
     return (torch::rand({count, 1, size_px, size_px}) < 0.1).to(torch::kFloat32);
 }
 
-inline std::vector<double> degrees_by(learning::DegreeModel& model, const torch::Tensor& images) {
+inline std::vector<double> degrees_by(native::DegreeModel& model, const torch::Tensor& images) {
     std::vector<double> degrees(static_cast<std::size_t>(images.size(0)));
     model.run({images.data_ptr<float>(), static_cast<std::size_t>(images.numel())}, degrees);
     return degrees;

@@ -37,7 +37,7 @@ namespace {
 
 TEST(DDNetwork, AllocatesNothingWhenItRuns) {
     constexpr std::size_t size_px = 64;
-    const learning::DDModelTable& table = learning::ddmodel_lite_table();
+    const native::DDModelTable& table = native::ddmodel_lite_table();
     NamedWeights weights(test::drawn_dd_weights(table, size_px));
     DDNetwork network(weights, table, size_px);
     const std::vector<float> image(size_px * size_px, 1.0F);

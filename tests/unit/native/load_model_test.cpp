@@ -27,11 +27,11 @@ protected:
         change(about);
         file_.about = about.dump();
     }
-    learning::NamedTensor& tensor(const std::string& name) {
-        return *std::ranges::find(file_.tensors, name, &learning::NamedTensor::name);
+    native::NamedTensor& tensor(const std::string& name) {
+        return *std::ranges::find(file_.tensors, name, &native::NamedTensor::name);
     }
-    [[nodiscard]] std::unique_ptr<learning::DegreeModel> loaded() const {
-        learning::write_safetensors(path_, file_);
+    [[nodiscard]] std::unique_ptr<native::DegreeModel> loaded() const {
+        native::write_safetensors(path_, file_);
         return load_model(path_);
     }
     [[nodiscard]] std::string error() const {
@@ -45,7 +45,7 @@ protected:
 
     test::TemporaryFolder folder_;
     std::filesystem::path path_ = folder_ / "model.safetensors";
-    learning::PlainWeights file_ = test::drawn_dd_model("ddmodel-lite", size_px);
+    native::PlainWeights file_ = test::drawn_dd_model("ddmodel-lite", size_px);
 };
 
 std::vector<float> drawn_images(std::size_t count) {

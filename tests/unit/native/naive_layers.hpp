@@ -5,14 +5,14 @@
 #include <string>
 #include <vector>
 
-#include "learning/dd_tables.hpp"
-#include "learning/safetensors.hpp"
+#include "native/dd_tables.hpp"
+#include "native/safetensors.hpp"
 
 /// The layers as their definitions read, in doubles: what lib/native is compared with.
 namespace ddtool::native::naive {
 
 using Values = std::vector<double>;
-using Tensors = std::vector<learning::NamedTensor>;
+using Tensors = std::vector<native::NamedTensor>;
 
 inline Values tensor(const Tensors& tensors, const std::string& name) {
     const auto found = std::find_if(tensors.begin(), tensors.end(), [&](const auto& t) { return t.name == name; });

@@ -21,7 +21,7 @@ std::vector<float> drawn_image(double share) {
     return image;
 }
 
-class StemOf : public testing::TestWithParam<learning::StemRow> {
+class StemOf : public testing::TestWithParam<native::StemRow> {
 protected:
     StemOf() { drawn_.add_convolution("stem", GetParam().channels, 1, GetParam().kernel_px); }
 
@@ -45,9 +45,9 @@ TEST_P(StemOf, IsThatOfItsDefinitionHoweverManyPixelsAreMarked) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Rows, StemOf,
-                         testing::Values(learning::StemRow{.kernel_px = 7, .stride = 4, .channels = 16},
-                                         learning::StemRow{.kernel_px = 7, .stride = 2, .channels = 32},
-                                         learning::StemRow{.kernel_px = 3, .stride = 1, .channels = 16}));
+                         testing::Values(native::StemRow{.kernel_px = 7, .stride = 4, .channels = 16},
+                                         native::StemRow{.kernel_px = 7, .stride = 2, .channels = 32},
+                                         native::StemRow{.kernel_px = 3, .stride = 1, .channels = 16}));
 
 }  // namespace
 }  // namespace ddtool::native

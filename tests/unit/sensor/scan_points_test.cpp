@@ -210,5 +210,32 @@ TEST(ScanPoints, WithoutNeighboursCountAlikeInEveryDirection) {
     EXPECT_EQ(points.along_weight[0], 1.0F);
 }
 
+/// Two walls that face the laser, the nearer one up to the edge; the beam at the edge meets both.
+SensorFrame edge(double mixed_m) {
+    SensorFrame frame =
+        scan_of([](double angle_rad) { return (angle_rad < 0.0 ? 2.0 : 3.0) / std::cos(angle_rad); }, 201);
+    frame.scan.ranges_m[100] = static_cast<float>(mixed_m);
+    return frame;
+}
+
+TEST(ScanPoints, LeaveOutABeamThatMixesTheRangesAtAnEdge) {
+    const std::size_t all = scan_points(edge(3.0), apart).size();
+    for (const double mixed_m : {2.2, 2.5, 2.8}) {
+        EXPECT_EQ(scan_points(edge(mixed_m), apart).size(), all - 1) << mixed_m;
+        EXPECT_EQ(scan_points(reversed(edge(mixed_m)), apart).size(), all - 1) << mixed_m;
+    }
+    EXPECT_EQ(scan_points(edge(2.0), apart).size(), all);
+}
+
+TEST(ScanPoints, KeepABeamThatStandsAloneBeforeAWall) {
+    const std::size_t all = scan_points(edge(3.0), apart).size();
+    EXPECT_EQ(scan_points(edge(1.0), apart).size(), all);  // a pole: not between its neighbours
+}
+
+TEST(ScanPoints, KeepEveryBeamOfAWallSeenFarAhead) {
+    const auto beside = [](double angle_rad) { return 0.5 / std::sin(std::max(std::abs(angle_rad), 0.02)); };
+    EXPECT_EQ(scan_points(scan_of(beside, 301), apart).size(), 301U);
+}
+
 }  // namespace
 }  // namespace ddtool

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "native/shipped_model.hpp"
 #include "swarms.hpp"
 #include "thrown_text.hpp"
 
@@ -21,14 +22,17 @@ TEST(DetectorTable, MakesEveryDetectorItNames) {
     EXPECT_FALSE(table.make("none", {}, {}));
     for (const char* name : {"always", "covariance", "step-spread", "neff", "oracle"}) {
         EXPECT_TRUE(table.make(name, {}, {})) << name;
-        EXPECT_FALSE(table.is_file(name));
+        EXPECT_EQ(table.model_fingerprint(name), "");
     }
+    EXPECT_TRUE(table.make(native::shipped_model_name, {}, {}));
+    EXPECT_NE(table.model_fingerprint(native::shipped_model_name), "");
 }
 
 TEST(DetectorTable, NamesWhatItKnows) {
     const std::string text = test::thrown_text<UsageError>([] { (void)DetectorTable().make("model.pt", {}, {}); });
     EXPECT_THAT(text,
-                testing::HasSubstr("filter.detector: expected always, covariance, neff, none, oracle, step-spread"));
+                testing::HasSubstr(
+                    "filter.detector: expected always, covariance, ddmodel-lite, neff, none, oracle, step-spread"));
     EXPECT_THAT(text, testing::HasSubstr("not 'model.pt'"));
 }
 
@@ -39,7 +43,7 @@ TEST(DetectorTable, LoadsFilesByTheirEnding) {
         loaded = file;
         return [](const ParticleSnapshot&) { return Degeneracy{0.7}; };
     });
-    EXPECT_TRUE(table.is_file("some/model.pt"));
+    EXPECT_EQ(table.model_fingerprint("some/model.pt"), "unreadable");
     EXPECT_EQ(table.make("some/model.pt", {}, {})(step_of(0.1)).degree, 0.7);
     EXPECT_EQ(loaded, "some/model.pt");
     EXPECT_THAT(test::thrown_text<UsageError>([&] { (void)table.make("model.onnx", {}, {}); }),

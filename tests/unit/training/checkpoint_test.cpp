@@ -11,8 +11,8 @@ namespace {
 
 constexpr std::size_t size_px = 64;
 
-learning::ModelDescription small_lite() {
-    learning::ModelDescription about;
+native::ModelDescription small_lite() {
+    native::ModelDescription about;
     about.network = "ddmodel-lite";
     about.loss = "bce";
     about.image.size_px = size_px;

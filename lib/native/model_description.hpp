@@ -6,7 +6,7 @@
 
 #include "imaging/image_settings.hpp"
 
-namespace ddtool::learning {
+namespace ddtool::native {
 
 /// What must be known to use a trained network, and where it comes from. It travels inside checkpoints and exported
 /// models as JSON.
@@ -26,4 +26,4 @@ DDTOOL_JSON_STRUCT(ModelDescription, network, loss, image, label, split, dataset
 /// The two classes in the order of the network's outputs.
 inline constexpr std::size_t degenerate_output = 1;
 
-}  // namespace ddtool::learning
+}  // namespace ddtool::native

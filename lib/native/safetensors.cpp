@@ -1,4 +1,4 @@
-#include "learning/safetensors.hpp"
+#include "native/safetensors.hpp"
 
 #include <bit>
 #include <cstring>
@@ -8,7 +8,7 @@
 #include "base/error.hpp"
 #include "base/settings.hpp"
 
-namespace ddtool::learning {
+namespace ddtool::native {
 namespace {
 
 static_assert(std::endian::native == std::endian::little, "safetensors are little-endian");
@@ -55,7 +55,7 @@ NamedTensor tensor_at(const std::string& name, const Json& entry, std::string_vi
     return tensor;
 }
 
-PlainWeights parsed(const std::string& bytes) {
+PlainWeights parsed(std::string_view bytes) {
     std::uint64_t length = 0;
     if (bytes.size() < length_bytes) {
         throw Error("shorter than its header");
@@ -65,7 +65,7 @@ PlainWeights parsed(const std::string& bytes) {
         throw Error("a header of " + std::to_string(length) + " bytes in a file of " + std::to_string(bytes.size()));
     }
     const Json header = Json::parse(bytes.substr(length_bytes, length));
-    const std::string_view data = std::string_view(bytes).substr(length_bytes + length);
+    const std::string_view data = bytes.substr(length_bytes + length);
     PlainWeights weights;
     for (const auto& [name, entry] : header.items()) {
         if (name == metadata_key) {
@@ -93,14 +93,17 @@ void write_safetensors(const std::filesystem::path& path, const PlainWeights& we
 }
 
 PlainWeights read_safetensors(const std::filesystem::path& path) {
-    const std::string bytes = read_file(path);
+    return parse_safetensors(read_file(path), path.string());
+}
+
+PlainWeights parse_safetensors(std::string_view bytes, const std::string& name) {
     try {
         return parsed(bytes);
     } catch (const Json::exception& error) {
-        throw Error(path.string() + ": damaged header: " + error.what());
+        throw Error(name + ": damaged header: " + error.what());
     } catch (const Error& error) {
-        throw Error(path.string() + ": not plain weights (safetensors): " + error.what());
+        throw Error(name + ": not plain weights (safetensors): " + error.what());
     }
 }
 
-}  // namespace ddtool::learning
+}  // namespace ddtool::native

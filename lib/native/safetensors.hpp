@@ -4,9 +4,10 @@
 #include <filesystem>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
-namespace ddtool::learning {
+namespace ddtool::native {
 
 /// A tensor of float32 in memory, C order.
 struct NamedTensor {
@@ -26,5 +27,7 @@ struct PlainWeights {
 void write_safetensors(const std::filesystem::path& path, const PlainWeights& weights);
 /// Throws Error naming the file and what is wrong for one that is damaged or holds other types than F32.
 PlainWeights read_safetensors(const std::filesystem::path& path);
+/// The same for a file's content; `name` is for errors.
+PlainWeights parse_safetensors(std::string_view bytes, const std::string& name);
 
-}  // namespace ddtool::learning
+}  // namespace ddtool::native

@@ -2,9 +2,9 @@
 
 #include <span>
 
-#include "learning/model_description.hpp"
+#include "native/model_description.hpp"
 
-namespace ddtool::learning {
+namespace ddtool::native {
 
 /// A trained network, ready to run. One thread at a time.
 class DegreeModel {
@@ -16,4 +16,4 @@ public:
     virtual void run(std::span<const float> images, std::span<double> degrees) = 0;
 };
 
-}  // namespace ddtool::learning
+}  // namespace ddtool::native

@@ -1,6 +1,6 @@
-#include "learning/dd_tables.hpp"
+#include "native/dd_tables.hpp"
 
-namespace ddtool::learning {
+namespace ddtool::native {
 
 const DDModelTable& ddmodel_table() {
     static const DDModelTable table{
@@ -40,4 +40,4 @@ std::int64_t token_count(const DDModelTable& table, std::int64_t size_px) {
     return side * side;
 }
 
-}  // namespace ddtool::learning
+}  // namespace ddtool::native
