@@ -38,16 +38,20 @@ LogProblemHandler LogReport::handler() {
     };
 }
 
+std::vector<std::string> log_warnings(const LogSummary& summary) {
+    std::vector<std::string> lines = summary.assumptions;
+    if (summary.problems > 0) {
+        lines.push_back("problems in the log: " + std::to_string(summary.problems) + "; bytes known to be lost: " +
+                        std::to_string(summary.bytes_lost) + "; scans read: " + std::to_string(summary.scans));
+    }
+    return lines;
+}
+
 ExitCode LogReport::finish(const LogSummary& summary) const {
-    for (const std::string& assumption : summary.assumptions) {
-        log_warning(assumption);
+    for (const std::string& line : log_warnings(summary)) {
+        log_warning(line);
     }
-    if (summary.problems == 0) {
-        return ExitCode::done;
-    }
-    log_warning("problems in the log: " + std::to_string(summary.problems) + "; bytes known to be lost: " +
-                std::to_string(summary.bytes_lost) + "; scans read: " + std::to_string(summary.scans));
-    return ExitCode::done_with_loss;
+    return summary.problems == 0 ? ExitCode::done : ExitCode::done_with_loss;
 }
 
 }  // namespace ddtool

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <string>
+#include <vector>
 
 #include "base/error.hpp"
 #include "base/settings.hpp"
@@ -27,6 +28,9 @@ inline constexpr std::array<LogOption, 4> log_option_table{{
 
 /// From the settings under "log". Throws UsageError naming the key.
 LogOptions log_options(const Json& log_settings);
+
+/// What was assumed of a log and what was lost of it, a line each.
+std::vector<std::string> log_warnings(const LogSummary& summary);
 
 /// Tells the user what was skipped in a log and what was assumed: the first problems as they come, the rest as a count.
 class LogReport {

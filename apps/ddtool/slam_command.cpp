@@ -1,5 +1,6 @@
 #include "slam_command.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <iostream>
 
@@ -10,6 +11,7 @@
 #include "detectors.hpp"
 #include "log_options.hpp"
 #include "results/run_folder.hpp"
+#include "results/run_page.hpp"
 #include "results/run_report.hpp"
 #include "slam/driven_scans.hpp"
 #include "slam/settings_json.hpp"
@@ -23,7 +25,7 @@ using Clock = std::chrono::steady_clock;
 /// The filter's particles end here, so that their memory can be given back before the pictures are drawn.
 FilterRun run_over(DrivenScans& scans, std::unique_ptr<Rbpf> filter, const InterruptRequest& interrupt,
                    RunFolder& folder) {
-    folder.record_snapshots_of(*filter);
+    folder.watch(*filter);
     Progress progress("slam", "scans");
     return run_filter(scans, *filter, [&](const SensorFrame& frame, bool moved) {
         if (moved) {
@@ -34,17 +36,18 @@ FilterRun run_over(DrivenScans& scans, std::unique_ptr<Rbpf> filter, const Inter
     });
 }
 
-/// Whether less was used or there than a run needs, other than for damage.
-bool warn_of_loss(const std::string& file, const LogSummary& log, const InterruptRequest& interrupt,
-                  const FilterRun& run) {
+/// Why less was used or there than a run needs, other than for damage.
+std::vector<std::string> shortfalls(const std::string& file, const LogSummary& log, const InterruptRequest& interrupt,
+                                    const FilterRun& run) {
+    std::vector<std::string> lines;
     if (interrupt.made()) {
-        log_warning("interrupted: the results end after scan " + std::to_string(run.trajectory.size()));
+        lines.push_back("interrupted: the results end after scan " + std::to_string(run.trajectory.size()));
     }
     if (!log.has_odometry) {
-        log_warning(file +
-                    ": no odometry: the motion was worked out from the scans, which fails where they look alike");
+        lines.push_back(file +
+                        ": no odometry: the motion was worked out from the scans, which fails where they look alike");
     }
-    return interrupt.made() || !log.has_odometry;
+    return lines;
 }
 
 Json cost_report(std::size_t threads, Clock::time_point start) {
@@ -111,9 +114,15 @@ ExitCode SlamCommand::run(const Json& settings) {
                       {"run", run},
                       {"cost", cost_report(threads_, start)}};
     folder.write_json("run.json", report);
+    const std::vector<std::string> losses = shortfalls(log_file_, scans.summary(), interrupt, result);
+    std::vector<std::string> warnings = log_warnings(scans.summary());
+    warnings.insert(warnings.end(), losses.begin(), losses.end());
+    const bool has_page = folder.write_page(
+        [&] { return run_page(report, warnings, result, map, folder.course(), {.swarm = Swarm::response}); });
     std::cout << (as_json_ ? report.dump(2) + "\n" : slam_summary(report, folder_, folder.files()));
     const ExitCode log_loss = problems.finish(scans.summary());
-    return warn_of_loss(log_file_, scans.summary(), interrupt, result) ? ExitCode::done_with_loss : log_loss;
+    std::for_each(losses.begin(), losses.end(), log_warning);
+    return losses.empty() && has_page ? log_loss : ExitCode::done_with_loss;
 }
 
 }  // namespace ddtool

@@ -1,18 +1,12 @@
 #include "slam_report.hpp"
 
-#include <array>
-#include <cstdio>
-
+#include "base/text.hpp"
 #include "version.hpp"
 
 namespace ddtool {
 namespace {
 
-std::string fixed(const Json& number, int decimals) {
-    std::array<char, 64> text{};
-    std::snprintf(text.data(), text.size(), "%.*f", decimals, number.get<double>());
-    return text.data();
-}
+std::string fixed(const Json& number, int decimals) { return fixed_text(number.get<double>(), decimals); }
 
 }  // namespace
 

@@ -9,9 +9,11 @@
 
 namespace ddtool {
 
-void write_png(const std::filesystem::path& path, const PixelView& image) {
+namespace {
+
+std::string encoded(const PixelView& image, const std::string& name) {
     if (image.pixels.size() != image.width_px * image.height_px * image.channels) {
-        throw Error(path.string() + ": image of " + std::to_string(image.pixels.size()) + " bytes, expected " +
+        throw Error(name + ": image of " + std::to_string(image.pixels.size()) + " bytes, expected " +
                     std::to_string(image.width_px * image.height_px * image.channels));
     }
     png_image header{};
@@ -19,11 +21,22 @@ void write_png(const std::filesystem::path& path, const PixelView& image) {
     header.width = static_cast<png_uint_32>(image.width_px);
     header.height = static_cast<png_uint_32>(image.height_px);
     header.format = image.channels == 1 ? PNG_FORMAT_GRAY : PNG_FORMAT_BGR;
-    AtomicFile file(path);
-    if (png_image_write_to_file(&header, file.part().c_str(), 0, image.pixels.data(), 0, nullptr) == 0) {
-        throw Error(path.string() + ": cannot write as PNG: " + std::string(header.message));
+    png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(header);
+    std::string bytes(size, '\0');
+    if (png_image_write_to_memory(&header, bytes.data(), &size, 0, image.pixels.data(), 0, nullptr) == 0) {
+        throw Error(name + ": cannot be made a PNG: " + std::string(header.message));
     }
-    file.commit();
+    bytes.resize(size);
+    bytes.shrink_to_fit();
+    return bytes;
+}
+
+}  // namespace
+
+std::string png_bytes(const PixelView& image) { return encoded(image, "picture"); }
+
+void write_png(const std::filesystem::path& path, const PixelView& image) {
+    write_file(path, encoded(image, path.string()));
 }
 
 std::vector<std::uint8_t> read_grey_png(const std::filesystem::path& path, std::size_t width_px,

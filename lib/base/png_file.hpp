@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace ddtool {
@@ -25,8 +26,11 @@ PixelView pixels_of(const Matrix& matrix) {
             .pixels = {matrix.data, matrix.total() * matrix.elemSize()}};
 }
 
-/// Writes a PNG through libpng: OpenCV's own writer would pull a geographic library and 50 MB of memory into every
-/// command. Written beside and renamed. Throws Error naming the file.
+/// The bytes of a PNG file, made by libpng: OpenCV's own writer would pull a geographic library and 50 MB of memory
+/// into every command. Throws Error.
+std::string png_bytes(const PixelView& image);
+
+/// Writes them; beside and renamed. Throws Error naming the file.
 void write_png(const std::filesystem::path& path, const PixelView& image);
 
 /// Reads an 8-bit grey PNG of that size: its pixels row by row from the top. The size is asked for, so that a damaged

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstdio>
 
 namespace ddtool {
 namespace {
@@ -38,6 +39,16 @@ std::optional<double> parse_number(std::string_view word) {
         return std::nullopt;
     }
     return value;
+}
+
+std::string fixed_text(double number, int decimals) {
+    if (std::isnan(number)) {
+        return "-";
+    }
+    const int length = std::snprintf(nullptr, 0, "%.*f", decimals, number);
+    std::string text(static_cast<std::size_t>(length), '\0');
+    std::snprintf(text.data(), text.size() + 1, "%.*f", decimals, number);
+    return text;
 }
 
 std::optional<std::int64_t> parse_stamp(std::string_view word) {

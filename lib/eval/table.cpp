@@ -4,9 +4,10 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <cstdio>
 #include <stdexcept>
 #include <utility>
+
+#include "base/text.hpp"
 
 namespace ddtool {
 namespace {
@@ -18,14 +19,7 @@ std::string for_people(const Table::Cell& cell, int decimals) {
     if (const auto* count = std::get_if<std::int64_t>(&cell)) {
         return std::to_string(*count);
     }
-    const double number = std::get<double>(cell);
-    if (std::isnan(number)) {
-        return "-";
-    }
-    const int length = std::snprintf(nullptr, 0, "%.*f", decimals, number);
-    std::string text(static_cast<std::size_t>(length), '\0');
-    std::snprintf(text.data(), text.size() + 1, "%.*f", decimals, number);
-    return text;
+    return fixed_text(std::get<double>(cell), decimals);
 }
 
 std::string shortest_exact(double number) {
@@ -69,11 +63,9 @@ std::string padded(const std::string& text, std::size_t to_width, bool to_the_ri
 
 }  // namespace
 
-/// The table as words, header first, with the width and the side of each column.
-struct Table::Layout {
-    std::vector<std::vector<std::string>> lines;
+/// The table's words with the width of each column.
+struct Table::Layout : Table::Words {
     std::vector<std::size_t> widths;
-    std::vector<bool> numeric;
 
     [[nodiscard]] std::string line(std::size_t index, const std::string& between) const {
         std::string text;
@@ -98,20 +90,27 @@ bool Table::is_numeric(std::size_t column) const {
                        [&](const auto& row) { return !std::holds_alternative<std::string>(row[column]); });
 }
 
-Table::Layout Table::layout() const {
-    Layout layout;
-    layout.lines.resize(rows_.size() + 1);
+Table::Words Table::words() const {
+    Words words;
+    words.lines.resize(rows_.size() + 1);
     for (std::size_t column = 0; column < columns_.size(); ++column) {
-        layout.lines[0].push_back(columns_[column].name);
+        words.lines[0].push_back(columns_[column].name);
         for (std::size_t row = 0; row < rows_.size(); ++row) {
-            layout.lines[row + 1].push_back(for_people(rows_[row][column], columns_[column].decimals));
+            words.lines[row + 1].push_back(for_people(rows_[row][column], columns_[column].decimals));
         }
+        words.numeric.push_back(is_numeric(column));
+    }
+    return words;
+}
+
+Table::Layout Table::layout() const {
+    Layout layout{words(), {}};
+    for (std::size_t column = 0; column < columns_.size(); ++column) {
         std::size_t widest = 0;
         for (const auto& line : layout.lines) {
             widest = std::max(widest, width(line[column]));
         }
         layout.widths.push_back(widest);
-        layout.numeric.push_back(is_numeric(column));
     }
     return layout;
 }

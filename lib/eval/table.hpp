@@ -26,6 +26,13 @@ public:
 
     [[nodiscard]] bool empty() const { return rows_.empty(); }
 
+    /// What people read: the columns' names first, then a line a row, all of the same length.
+    struct Words {
+        std::vector<std::vector<std::string>> lines;
+        std::vector<bool> numeric;  ///< one a column: numbers, to be set to the right
+    };
+    [[nodiscard]] Words words() const;
+
     /// Columns aligned with blanks: words to the left, numbers to the right. Ends with a line break, as all do.
     [[nodiscard]] std::string text() const;
     [[nodiscard]] std::string markdown() const;

@@ -7,6 +7,8 @@
 
 #include "base/atomic_file.hpp"
 #include "plot/figure.hpp"
+#include "results/map_picture.hpp"
+#include "results/run_course.hpp"
 
 namespace ddtool {
 namespace {
@@ -36,41 +38,6 @@ void write_row(std::ostream& out, const UpdateReport& update) {
     out << '\n';
 }
 
-std::vector<std::uint8_t> grey_pixels(const MapRaster& map) {
-    constexpr std::uint8_t unknown_grey = 225;
-    std::vector<std::uint8_t> pixels;
-    pixels.reserve(map.cells.size());
-    for (std::size_t row = map.height; row-- > 0;) {
-        for (std::size_t column = 0; column < map.width; ++column) {
-            const std::int8_t cell = map.cells[row * map.width + column];
-            pixels.push_back(cell == MapRaster::occupied ? 0 : cell == MapRaster::free ? 255 : unknown_grey);
-        }
-    }
-    return pixels;
-}
-
-/// The updates' degrees at their places on the final path.
-struct ColouredPath {
-    std::vector<double> x_m, y_m, degree;
-};
-
-ColouredPath coloured(const std::vector<UpdateReport>& updates, const Trajectory& path) {
-    ColouredPath result;
-    std::size_t scan = 0;
-    for (const UpdateReport& update : updates) {
-        while (scan < path.size() && path[scan].stamp_ns != update.stamp_ns) {
-            ++scan;
-        }
-        if (scan == path.size()) {
-            break;
-        }
-        result.x_m.push_back(path[scan].pose.x_m);
-        result.y_m.push_back(path[scan].pose.y_m);
-        result.degree.push_back(update.degeneracy.degree);
-    }
-    return result;
-}
-
 void draw_time_line(plot::Axes& axes, const std::vector<UpdateReport>& updates) {
     std::vector<double> time_s, degree, corrected_m;
     for (const UpdateReport& update : updates) {
@@ -98,13 +65,18 @@ void write_degeneracy_picture(const std::filesystem::path& file, const std::vect
                               const MapRaster& map, const Trajectory& path) {
     plot::Figure figure({.height_px = 900.0, .row_shares = {3.0, 1.0}});
     const std::vector<std::uint8_t> pixels = grey_pixels(map);
-    const ColouredPath line = coloured(updates, path);
+    std::vector<double> x_m, y_m, degree;
+    for (const auto& [stamp_ns, pose] : places_of(updates, path)) {
+        x_m.push_back(pose.x_m);
+        y_m.push_back(pose.y_m);
+        degree.push_back(updates[degree.size()].degeneracy.degree);
+    }
     figure.axes(0)
         .equal_aspect()
         .picture({.width_px = map.width, .height_px = map.height, .channels = 1, .pixels = pixels},
                  {map.origin_m.x_m, map.origin_m.x_m + map.width_m()},
                  {map.origin_m.y_m, map.origin_m.y_m + map.height_m()})
-        .heat_line(line.x_m, line.y_m, line.degree, "degree")
+        .heat_line(x_m, y_m, degree, "degree")
         .x_label("x [m]")
         .y_label("y [m]");
     if (!updates.empty()) {

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstdio>
 #include <opencv2/imgproc.hpp>
-#include <vector>
 
 #include "base/png_file.hpp"
 
@@ -165,6 +164,17 @@ private:
 };
 
 }  // namespace
+
+std::vector<std::uint8_t> grey_pixels(const MapRaster& map) {
+    std::vector<std::uint8_t> pixels;
+    pixels.reserve(map.cells.size());
+    for (std::size_t row = map.height; row-- > 0;) {
+        for (std::size_t column = 0; column < map.width; ++column) {
+            pixels.push_back(grey(map.cells[row * map.width + column]));
+        }
+    }
+    return pixels;
+}
 
 void write_map_picture(const std::filesystem::path& file, const MapRaster& map, const Trajectory& path) {
     const Extent extent = extent_of(map, path);

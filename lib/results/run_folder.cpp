@@ -14,6 +14,7 @@ namespace {
 
 constexpr const char* result_name = "result.mcap";
 constexpr const char* snapshots_name = "snapshots.mcap";
+constexpr const char* page_name = "report.html";
 
 }  // namespace
 
@@ -24,21 +25,20 @@ RunFolder::RunFolder(std::filesystem::path folder, bool with_snapshots)
     }
 }
 
-void RunFolder::record_snapshots_of(Rbpf& filter) {
-    if (snapshots_) {
-        filter.on_snapshot([this](const ParticleSnapshot& snapshot, const Degeneracy& degeneracy) {
-            const StageTimer timer(write_s_);
+void RunFolder::watch(Rbpf& filter) {
+    filter.on_snapshot([this](const ParticleSnapshot& snapshot, const Degeneracy& degeneracy) {
+        const StageTimer timer(write_s_);
+        course_.see(snapshot, degeneracy);
+        if (snapshots_) {
             snapshots_->write(snapshot, degeneracy);
-        });
-    }
+        }
+    });
 }
 
 void RunFolder::add(const SensorFrame& frame, const Rbpf& filter) {
     const StageTimer timer(write_s_);
     result_.add(frame, filter);
-    if (filter.updates() > 1) {
-        updates_.push_back(filter.last_report());
-    }
+    course_.add(filter);
 }
 
 void RunFolder::finish(const FilterRun& run, const MapRaster& map) {
@@ -51,12 +51,20 @@ void RunFolder::finish(const FilterRun& run, const MapRaster& map) {
     write_map_files(folder_, "map", map);
     files_.insert(files_.end(), {"map.pgm", "map.yaml"});
     write_map_picture(place("map.png"), map, run.trajectory);
-    write_degeneracy_csv(place("degeneracy.csv"), updates_);
-    write_degeneracy_picture(place("degeneracy.png"), updates_, map, run.trajectory);
+    write_degeneracy_csv(place("degeneracy.csv"), course_.updates());
+    write_degeneracy_picture(place("degeneracy.png"), course_.updates(), map, run.trajectory);
 }
 
 void RunFolder::write_json(const std::string& name, const Json& content) {
     write_file(place(name), content.dump(2) + "\n");
+}
+
+bool RunFolder::write_page(const std::function<html::Page()>& make) {
+    const bool written = html::write_page(folder_ / page_name, make);
+    if (written) {
+        files_.emplace_back(page_name);
+    }
+    return written;
 }
 
 void RunFolder::complete_logs() {

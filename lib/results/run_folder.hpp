@@ -6,8 +6,10 @@
 #include <vector>
 
 #include "base/settings.hpp"
+#include "html/page.hpp"
 #include "results/map_raster.hpp"
 #include "results/result_log.hpp"
+#include "results/run_course.hpp"
 #include "results/snapshot_file.hpp"
 #include "slam/filter_run.hpp"
 
@@ -21,12 +23,16 @@ public:
     RunFolder(std::filesystem::path folder, bool with_snapshots);
 
     /// Connects the filter; it must not outlive the folder.
-    void record_snapshots_of(Rbpf& filter);
+    void watch(Rbpf& filter);
     /// After the filter has moved.
     void add(const SensorFrame& frame, const Rbpf& filter);
     /// Writes the trajectories, the map and its picture, and completes the MCAP files.
     void finish(const FilterRun& run, const MapRaster& map);
     void write_json(const std::string& name, const Json& content);
+    /// report.html, as html::write_page() does.
+    bool write_page(const std::function<html::Page()>& make);
+    /// What the filter did so far.
+    [[nodiscard]] const RunCourse& course() const { return course_; }
 
     /// Names of the files written.
     [[nodiscard]] const std::vector<std::string>& files() const { return files_; }
@@ -42,7 +48,7 @@ private:
     std::vector<std::string> files_;
     ResultLog result_;
     std::optional<SnapshotWriter> snapshots_;
-    std::vector<UpdateReport> updates_;
+    RunCourse course_;
     double write_s_ = 0.0;
 };
 

@@ -1,4 +1,5 @@
-# Sourced by the tests here: a folder of their own to work in, and expect.
+# Sourced by the tests here: a folder of their own to work in, expect and check_page.
+support=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/../support" && pwd)
 folder=$(mktemp -d)
 trap 'rm -rf -- "$folder"' EXIT
 cd "$folder"
@@ -13,3 +14,6 @@ expect() {
         exit 1
     fi
 }
+
+# check_page FILE HEADING...: the report is one sound page that needs nothing from outside, and has these sections.
+check_page() { python3 "$support/check_page.py" "$@"; }

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <string>
 
 namespace ddtool {
@@ -29,6 +30,13 @@ TEST(ParseNumber, TakesTheWholeWordOrNothing) {
     for (const std::string word : {"", "1.5x", "nan", "inf", "1e999", "1,5"}) {
         EXPECT_EQ(parse_number(word), std::nullopt) << word;
     }
+}
+
+TEST(FixedText, HasThatManyDecimals) {
+    EXPECT_EQ(fixed_text(3.14159, 2), "3.14");
+    EXPECT_EQ(fixed_text(-2.0, 0), "-2");
+    EXPECT_EQ(fixed_text(1e20, 1), "100000000000000000000.0");
+    EXPECT_EQ(fixed_text(std::nan(""), 2), "-");
 }
 
 TEST(NextWord, PartsAtBlanksTabsCommasAndReturns) {

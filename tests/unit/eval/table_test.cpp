@@ -31,6 +31,14 @@ TEST(Table, AsTextIsAligned) {
               "a|b, \"c\" ±        -     5\n");
 }
 
+TEST(Table, HasItsWords) {
+    const Table::Words words = small_table().words();
+    EXPECT_THAT(words.numeric, testing::ElementsAre(false, true, true));
+    EXPECT_THAT(words.lines, testing::ElementsAre(testing::ElementsAre("method", "ATE [m]", "runs"),
+                                                  testing::ElementsAre("gmapping", "1.23", "10"),
+                                                  testing::ElementsAre("a|b, \"c\" ±", "-", "5")));
+}
+
 TEST(Table, AsMarkdownHasTheSameColumnsInEveryLine) {
     const std::vector<std::string> lines = lines_of(small_table().markdown());
     ASSERT_EQ(lines.size(), 4U);

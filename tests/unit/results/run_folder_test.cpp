@@ -25,7 +25,7 @@ std::set<std::string> names_in(const std::filesystem::path& folder) {
 FilterRun write_run(const std::filesystem::path& place, bool with_snapshots, bool with_truth = true) {
     test::SmallRun small;
     RunFolder folder(place, with_snapshots);
-    folder.record_snapshots_of(small.filter());
+    folder.watch(small.filter());
     FilterRun run = small.run([&](const SensorFrame& frame, bool moved) {
         if (moved) {
             folder.add(frame, small.filter());
