@@ -91,13 +91,15 @@ ExitCode BuildDatasetCommand::run(const Json& settings) {
     const dataset::Dataset data(folder_);
     const auto image = settings.at("image").get<ImageSettings>();
     print_dataset(data, as_json_);
-    draw_dataset(std::filesystem::path(folder_) / "pictures", data, image);
+    const std::filesystem::path pictures = std::filesystem::path(folder_) / "pictures";
+    draw_dataset(pictures, data, image);
+    const bool has_page = write_dataset_page(folder_, pictures, data);
     if (with_images_) {
         ThreadPool threads(threads_);
         dataset::write_image_files(folder_, data, image, threads);
     }
     log_info("built in " + elapsed());
-    return complete(results) ? ExitCode::done : ExitCode::done_with_loss;
+    return complete(results) && has_page ? ExitCode::done : ExitCode::done_with_loss;
 }
 
 }  // namespace ddtool

@@ -69,7 +69,7 @@ ExitCode CompareCommand::run(const Json& settings) {
     log_info("drawing");
     const std::vector<compare::Picture> pictures =
         compare::draw_worlds(folder_, experiment, cells, results, store, threads);
-    compare::write_report(folder_, experiment, cells, results, pictures);
+    const bool has_page = compare::write_report(folder_, experiment, cells, results, pictures);
     if (as_json_) {
         std::cout << compare::report_json(experiment, cells, results).dump(2) << '\n';
     } else {
@@ -78,8 +78,8 @@ ExitCode CompareCommand::run(const Json& settings) {
     warn_of_other_builds(results);
     log_info(std::to_string(computed) + " of " + std::to_string(cells.size()) + " runs computed, " +
              format_duration(std::chrono::duration<double>(Clock::now() - start).count()) + " in all; report in " +
-             folder_ + "/results.md");
-    return complete(results) ? ExitCode::done : ExitCode::done_with_loss;
+             folder_ + "/report.html");
+    return complete(results) && has_page ? ExitCode::done : ExitCode::done_with_loss;
 }
 
 }  // namespace ddtool

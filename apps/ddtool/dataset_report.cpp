@@ -1,13 +1,67 @@
 #include "dataset_report.hpp"
 
+#include <array>
 #include <iostream>
 
 #include "base/log.hpp"
+#include "dataset/counts.hpp"
 #include "dataset/description.hpp"
 #include "dataset/histograms.hpp"
 #include "dataset/montages.hpp"
+#include "html/page.hpp"
 
 namespace ddtool {
+namespace {
+
+std::vector<std::string> warnings_of(const dataset::Manifest& manifest) {
+    std::vector<std::string> warnings = dataset::shortages_in(manifest.counts);
+    for (const dataset::RunEntry& run : manifest.runs) {
+        const std::string name = manifest.sources[run.source].name + ", seed " + std::to_string(run.seed) + ": ";
+        if (!run.failure.empty()) {
+            warnings.push_back(name + "failed: " + run.failure);
+        }
+        if (run.log_problems > 0) {
+            warnings.push_back(name + "problems in the log: " + std::to_string(run.log_problems));
+        }
+    }
+    return warnings;
+}
+
+std::vector<html::Picture> histograms_in(const std::filesystem::path& pictures) {
+    return {html::picture_of_file("What the label dispersion looks at: R", pictures / "dispersion.png"),
+            html::picture_of_file("What the label fisher looks at: the physical ratio", pictures / "fisher.png")};
+}
+
+std::vector<html::Picture> montages_in(const std::filesystem::path& pictures) {
+    std::vector<html::Picture> montages;
+    for (const dataset::LabelRule rule : {dataset::LabelRule::fisher, dataset::LabelRule::dispersion}) {
+        for (const Swarm swarm : {Swarm::response, Swarm::step, Swarm::absolute}) {
+            const std::string title = std::string("Label ") + dataset::label_rule_names[dataset::index_of(rule)] +
+                                      ", image " + Json(swarm).get<std::string>();
+            montages.push_back(html::picture_of_file(title, pictures / dataset::montage_name(rule, swarm)));
+        }
+    }
+    return montages;
+}
+
+html::Page dataset_page(const std::filesystem::path& folder, const std::filesystem::path& pictures,
+                        const dataset::Dataset& data) {
+    const dataset::Manifest& manifest = data.manifest();
+    const std::array facts{html::Fact{"samples", std::to_string(data.size())},
+                           html::Fact{"runs", std::to_string(manifest.runs.size())},
+                           html::Fact{"sources", std::to_string(manifest.sources.size())}};
+    html::Page page("ddtool build-dataset", html::name_of(folder));
+    page.warnings(warnings_of(manifest)).facts(facts);
+    page.section("Samples by class and part").table(dataset::class_table(manifest.counts));
+    page.section("Samples by group").table(dataset::group_table(data));
+    page.section("What tells the physics").table(dataset::agreement_table(data));
+    page.section("What the labels look at").pictures(histograms_in(pictures));
+    page.section("Samples as a network sees them").pictures(montages_in(pictures));
+    page.section("Settings").text("Made by " + manifest.program + ".").values("Settings", manifest.settings);
+    return page;
+}
+
+}  // namespace
 
 void print_dataset(const dataset::Dataset& data, bool as_json) {
     if (as_json) {
@@ -24,6 +78,11 @@ void draw_dataset(const std::filesystem::path& folder, const dataset::Dataset& d
     dataset::draw_histograms(folder, data);
     dataset::draw_montages(folder, data, settings);
     log_info("pictures in " + folder.string());
+}
+
+bool write_dataset_page(const std::filesystem::path& folder, const std::filesystem::path& pictures,
+                        const dataset::Dataset& data) {
+    return html::write_page(folder / "report.html", [&] { return dataset_page(folder, pictures, data); });
 }
 
 }  // namespace ddtool

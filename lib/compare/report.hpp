@@ -17,8 +17,9 @@ struct Picture {
 /// {"baseline", "seeds", "rows": one a metric, world and method; "failures", "programs": builds that computed}.
 Json report_json(const Experiment& experiment, const std::vector<Cell>& cells, const std::vector<CellResult>& results);
 
-/// results.md, results.csv and results.json in the folder.
-void write_report(const std::filesystem::path& folder, const Experiment& experiment, const std::vector<Cell>& cells,
+/// results.md, results.csv, results.json and report.html (docs/reports.md) in the folder. Returns whether the last,
+/// which nothing else depends on, could be written.
+bool write_report(const std::filesystem::path& folder, const Experiment& experiment, const std::vector<Cell>& cells,
                   const std::vector<CellResult>& results, const std::vector<Picture>& pictures);
 
 }  // namespace ddtool::compare

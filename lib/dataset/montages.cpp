@@ -57,15 +57,17 @@ void draw_montage(const std::filesystem::path& file, const Dataset& data, LabelR
 
 }  // namespace
 
+std::string montage_name(LabelRule rule, Swarm swarm) {
+    return std::string("montage-") + label_rule_names[index_of(rule)] + "-" + Json(swarm).get<std::string>() + ".png";
+}
+
 void draw_montages(const std::filesystem::path& folder, const Dataset& data, const ImageSettings& settings) {
     made_folder(folder);
     for (const LabelRule rule : {LabelRule::dispersion, LabelRule::fisher}) {
         for (const Swarm swarm : {Swarm::absolute, Swarm::step, Swarm::response}) {
             ImageSettings of_swarm = settings;
             of_swarm.swarm = swarm;
-            const std::string name =
-                std::string(label_rule_names[index_of(rule)]) + "-" + Json(swarm).get<std::string>();
-            draw_montage(folder / ("montage-" + name + ".png"), data, rule, of_swarm);
+            draw_montage(folder / montage_name(rule, swarm), data, rule, of_swarm);
         }
     }
 }

@@ -1,13 +1,17 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 #include "dataset/dataset.hpp"
 #include "imaging/image_settings.hpp"
 
 namespace ddtool::dataset {
 
-/// Draws montage-RULE-SWARM.png into the folder for both label rules and both swarms: a row a family of scenes, samples
+/// "montage-RULE-SWARM.png".
+std::string montage_name(LabelRule rule, Swarm swarm);
+
+/// Draws montage-RULE-SWARM.png into the folder for both label rules and all swarms: a row a family of scenes, samples
 /// of each class beside each other, as the settings render them (but for the swarm).
 void draw_montages(const std::filesystem::path& folder, const Dataset& data, const ImageSettings& settings);
 

@@ -52,6 +52,11 @@ void add_values(Table& table, const std::string& path, const Json& value) {
 
 }  // namespace
 
+std::string name_of(const std::filesystem::path& folder) {
+    const std::filesystem::path path = std::filesystem::absolute(folder).lexically_normal();
+    return (path.has_filename() ? path : path.parent_path()).filename().string();
+}
+
 Picture picture_of_file(const std::string& title, const std::filesystem::path& file) {
     return {.title = title, .png = read_file(file), .caption = ""};
 }
@@ -67,7 +72,7 @@ Page& Page::section(const std::string& heading) {
 }
 
 Page& Page::text(const std::string& words) {
-    body_ += element("p", words) + "\n";
+    body_ += words.empty() ? "" : element("p", words) + "\n";
     return *this;
 }
 
@@ -92,6 +97,9 @@ Page& Page::facts(std::span<const Fact> facts) {
 }
 
 Page& Page::table(const Table& table) {
+    if (table.empty()) {
+        return *this;
+    }
     const std::string name = headings_.empty() ? title_ : headings_.back();
     body_ += "<div class=\"wide\" role=\"region\" tabindex=\"0\" aria-label=\"" + escaped(name) + ", table\">\n" +
              table_element(table.words()) + "</div>\n";

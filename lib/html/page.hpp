@@ -28,6 +28,9 @@ struct Moment {
     std::size_t row = 0;
 };
 
+/// The last part of a folder's path, for a title; also of "." and "out/".
+std::string name_of(const std::filesystem::path& folder);
+
 /// A PNG file that lies about. Throws Error naming the file.
 Picture picture_of_file(const std::string& title, const std::filesystem::path& file);
 
@@ -43,11 +46,13 @@ public:
 
     /// What follows stands under the heading.
     Page& section(const std::string& heading);
+    /// A paragraph; nothing for an empty one.
     Page& text(const std::string& words);
     /// What the reader should know before he trusts the rest; nothing for none.
     Page& warnings(std::span<const std::string> lines);
     /// Figures at a glance.
     Page& facts(std::span<const Fact> facts);
+    /// Nothing for one without rows.
     Page& table(const Table& table);
     Page& pictures(std::span<const Picture> pictures);
     /// Small, side by side, each with a button that leads to its row.
