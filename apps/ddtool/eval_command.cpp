@@ -11,6 +11,7 @@
 #include "base/expect.hpp"
 #include "base/folder.hpp"
 #include "base/log.hpp"
+#include "detection/evaluation_page.hpp"
 #include "detection/label_noise.hpp"
 #include "detection/model_scorer.hpp"
 #include "detection/pictures.hpp"
@@ -69,17 +70,18 @@ std::vector<detection::Detector> load_models(const std::vector<std::string>& fil
 
 void print(const dataset::Dataset& data, const std::vector<Evaluation>& evaluations, const Task& task) {
     std::string text;
-    const auto add = [&](const Table& table) {
-        text += table.empty() ? "" : (text.empty() ? "" : "\n") + table.text();
-    };
-    if (!evaluations.front().samples.indices.empty()) {
-        add(detection::detector_table(evaluations, task));
-        add(detection::seed_table(evaluations, task));
-        add(detection::calibration_table(evaluations, task));
+    for (const detection::NamedTable& each : detection::evaluation_tables(data, evaluations, task)) {
+        text += (text.empty() ? "" : "\n") + each.table.text();
     }
-    add(detection::physics_table(evaluations));
-    add(detection::group_table(data, detection::detailed(evaluations)));
     std::cout << text;
+}
+
+html::Page page_of(const std::filesystem::path& folder, const std::string& data_name, const dataset::Dataset& data,
+                   const std::vector<Evaluation>& evaluations, const Task& task) {
+    html::Page page("ddtool eval", html::name_of(folder));
+    page.text("Data set " + data_name + ", " + name_of(task) + ".");
+    detection::add_evaluations(page, folder, data, evaluations, task);
+    return page;
 }
 
 }  // namespace
@@ -107,7 +109,7 @@ void EvalCommand::add_options(CLI::App& app) {
         ->excludes("--model");
     app.add_flag("--label-noise", label_noise_,
                  "Instead: how often labels differ between runs of the data set that differ in their seeds alone");
-    app.add_option("--out", out_, "Write eval.json and pictures there")->type_name("DIR");
+    app.add_option("--out", out_, "Write eval.json, report.html and pictures there")->type_name("DIR");
     app.add_flag("--json", as_json_, "Print JSON instead of tables");
 }
 
@@ -166,12 +168,15 @@ ExitCode EvalCommand::run(const Json& settings) {
         detection::draw_evaluations(out_, data, evaluations, detection::detailed(evaluations).front());
         log_info("pictures in " + out_);
     }
+    const bool has_page = out_.empty() || html::write_page(std::filesystem::path(out_) / "report.html", [&] {
+                              return page_of(out_, html::name_of(data_), data, evaluations, task);
+                          });
     if (as_json_) {
         std::cout << report;
     } else {
         print(data, evaluations, task);
     }
-    return ExitCode::done;
+    return has_page ? ExitCode::done : ExitCode::done_with_loss;
 }
 
 }  // namespace ddtool

@@ -3,28 +3,16 @@
 #include <iostream>
 
 #include "base/log.hpp"
-#include "eval/table.hpp"
+#include "train_report.hpp"
 
 namespace ddtool {
-namespace {
-
-Table result_table(const learning::TrainResult& result) {
-    Table table({{"best epoch"}, {"of"}, {"loss", 4}, {"accuracy", 4}, {"F1", 4}, {"AUC", 4}});
-    const learning::EpochRecord& best = result.best_epoch;
-    table.add_row({static_cast<std::int64_t>(best.epoch), static_cast<std::int64_t>(result.epochs),
-                   best.validation_loss, best.validation_accuracy, best.validation_f1, best.validation_auc});
-    return table;
-}
-
-}  // namespace
-
 TrainCommand::TrainCommand()
     : Command("train", "Fits a network that reads the degree of degeneracy from particle images",
               "ddtool train --data out/small --model ddmodel-lite --epochs 10 --out out/lite") {}
 
 void TrainCommand::add_options(CLI::App& app) {
     app.add_option("--data", request_.data, "The data set")->type_name("DIR")->required();
-    app.add_option("--out", request_.out, "Folder for checkpoints (best.pt, last.pt), metrics and curves")
+    app.add_option("--out", request_.out, "Folder for checkpoints (best.pt, last.pt), metrics, curves and report.html")
         ->type_name("DIR")
         ->required();
     bind_option(app, "--model", "model", "ddmodel, ddmodel-lite or mobilenetv3");
@@ -63,7 +51,7 @@ ExitCode TrainCommand::run(const Json& settings) {
         return ExitCode::failed;
     }
     std::cout << result_table(result).text() << "checkpoint: " << result.best.string() << '\n';
-    return ExitCode::done;
+    return write_train_page(engine, request_, result) ? ExitCode::done : ExitCode::done_with_loss;
 }
 
 }  // namespace ddtool

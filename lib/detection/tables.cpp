@@ -151,6 +151,20 @@ Table group_table(const dataset::Dataset& data, std::span<const Evaluation> eval
     return table;
 }
 
+std::vector<NamedTable> evaluation_tables(const dataset::Dataset& data, std::span<const Evaluation> evaluations,
+                                          const Task& task) {
+    std::vector<NamedTable> tables;
+    if (!evaluations.front().samples.indices.empty()) {
+        tables = {{"Detectors", detector_table(evaluations, task)},
+                  {"Over seeds", seed_table(evaluations, task)},
+                  {"Calibration", calibration_table(evaluations, task)}};
+    }
+    tables.push_back({"Agreement with the physics", physics_table(evaluations)});
+    tables.push_back({"By group", group_table(data, detailed(evaluations))});
+    std::erase_if(tables, [](const NamedTable& each) { return each.table.empty(); });
+    return tables;
+}
+
 Json report_json(const dataset::Dataset& data, std::span<const Evaluation> evaluations, const Task& task) {
     return {{"label", dataset::label_rule_names[index_of(task.label)]},
             {"split", dataset::split_names[index_of(task.split)]},

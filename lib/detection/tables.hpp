@@ -1,6 +1,8 @@
 #pragma once
 
 #include <span>
+#include <string>
+#include <vector>
 
 #include "detection/evaluation.hpp"
 #include "eval/table.hpp"
@@ -23,6 +25,15 @@ Table physics_table(std::span<const Evaluation> evaluations);
 
 /// A detector's figures by scene, lidar, odometry, update distance and number of particles.
 Table group_table(const dataset::Dataset& data, std::span<const Evaluation> evaluations);
+
+struct NamedTable {
+    std::string name;
+    Table table;
+};
+
+/// All of the above that have rows, in that order; groups for those of detailed() alone.
+std::vector<NamedTable> evaluation_tables(const dataset::Dataset& data, std::span<const Evaluation> evaluations,
+                                          const Task& task);
 
 /// Everything for machines.
 Json report_json(const dataset::Dataset& data, std::span<const Evaluation> evaluations, const Task& task);

@@ -1,0 +1,51 @@
+#include "train_report.hpp"
+
+#include <array>
+
+#include "detection/evaluation_page.hpp"
+#include "detection/model_scorer.hpp"
+#include "detection/pictures.hpp"
+#include "html/page.hpp"
+#include "version.hpp"
+
+namespace ddtool {
+namespace {
+
+html::Page train_page(const learning::Engine& engine, const learning::TrainRequest& request,
+                      const learning::TrainResult& result) {
+    const std::filesystem::path pictures = request.out / "pictures";
+    const detection::Task task{.label = learning::label_rule_of(request.settings),
+                               .split = learning::split_of(request.settings),
+                               .part = dataset::Part::validation};
+    const dataset::Dataset data(request.data);
+    const detection::Detector model =
+        detection::detector_of(engine.load(result.best, {.device = request.device, .threads = request.threads}));
+    const std::array evaluations{detection::evaluate(data, model, task)};
+    detection::draw_evaluations(pictures, data, evaluations, evaluations.front());
+
+    html::Page page("ddtool train", html::name_of(request.out));
+    page.text("Data set " + html::name_of(request.data) + ". All but the curves is of the best epoch's network on " +
+              name_of(task) + ", by which it was chosen; ddtool eval tells how it does on the part test.");
+    page.section("Training").table(result_table(result));
+    page.pictures(std::array{html::picture_of_file("Curves over the epochs", request.out / "curves.png")});
+    detection::add_evaluations(page, pictures, data, evaluations, task);
+    page.section("Settings").text("Made by " + program_version() + ".").values("Settings", Json(request.settings));
+    return page;
+}
+
+}  // namespace
+
+Table result_table(const learning::TrainResult& result) {
+    Table table({{"best epoch"}, {"of"}, {"loss", 4}, {"accuracy", 4}, {"F1", 4}, {"AUC", 4}});
+    const learning::EpochRecord& best = result.best_epoch;
+    table.add_row({static_cast<std::int64_t>(best.epoch), static_cast<std::int64_t>(result.epochs),
+                   best.validation_loss, best.validation_accuracy, best.validation_f1, best.validation_auc});
+    return table;
+}
+
+bool write_train_page(const learning::Engine& engine, const learning::TrainRequest& request,
+                      const learning::TrainResult& result) {
+    return html::write_page(request.out / "report.html", [&] { return train_page(engine, request, result); });
+}
+
+}  // namespace ddtool

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "eval/table.hpp"
+#include "learning/engine.hpp"
+
+namespace ddtool {
+
+/// The best epoch's figures.
+Table result_table(const learning::TrainResult& result);
+
+/// Writes report.html (docs/reports.md) into the folder of a training that came to its end: curves, and how the best
+/// network decides on the part validation, with pictures of it in the folder pictures. Returns whether it could be
+/// written.
+bool write_train_page(const learning::Engine& engine, const learning::TrainRequest& request,
+                      const learning::TrainResult& result);
+
+}  // namespace ddtool
