@@ -34,7 +34,11 @@ std::string escaped(std::string_view text) {
 std::string script_json(const Json& value) {
     std::string result;
     for (const char c : value.dump(-1, ' ', false, Json::error_handler_t::replace)) {
-        result += c == '<' ? std::string("\\u003c") : std::string(1, c);
+        if (c == '<') {
+            result += "\\u003c";
+        } else {
+            result += c;
+        }
     }
     return result;
 }
