@@ -1,19 +1,10 @@
 #include "native/shipped_model.hpp"
 
+#include "base/embedded_file.hpp"
 #include "base/fingerprint.hpp"
 #include "native/load_model.hpp"
 
-// C++20 has no #embed; the assembler has, in GCC and clang alike. DDTOOL_SHIPPED_MODEL is the file's path.
-asm(".pushsection .rodata\n"
-    ".balign 8\n"
-    "ddtool_shipped_model:\n"
-    ".incbin \"" DDTOOL_SHIPPED_MODEL
-    "\"\n"
-    "ddtool_shipped_model_end:\n"
-    ".popsection\n");
-
-extern "C" const char ddtool_shipped_model[];
-extern "C" const char ddtool_shipped_model_end[];
+DDTOOL_EMBED_FILE(ddtool_shipped_model, DDTOOL_SHIPPED_MODEL);
 
 namespace ddtool::native {
 namespace {
