@@ -1,7 +1,11 @@
 #include "detectors.hpp"
 
+#include <filesystem>
+
 #include "learning/engine.hpp"
+#include "native/load_model.hpp"
 #include "native/network_detector.hpp"
+#include "native/shipped_model.hpp"
 
 namespace ddtool {
 
@@ -10,6 +14,14 @@ DetectorTable all_detectors() {
     detectors.add_file_kind(
         ".pt", [](const std::string& file) { return native::network_detector(learning::engine().load(file, {})); });
     return detectors;
+}
+
+ImageSettings image_seen_by(const std::string& detector) {
+    const std::filesystem::path file = detector;
+    const auto model = file.extension() == ".pt"            ? learning::engine().load(file, {})
+                       : file.extension() == ".safetensors" ? native::load_model(file)
+                                                            : native::shipped_model();
+    return model->description().image;
 }
 
 }  // namespace ddtool

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <string>
+
+#include "imaging/image_settings.hpp"
 #include "slam/detector_table.hpp"
 
 namespace ddtool {
@@ -7,5 +10,8 @@ namespace ddtool {
 /// Every detector that the commands know: those of the library, and TorchScript files, for which LibTorch's program
 /// takes over (learning::engine).
 DetectorTable all_detectors();
+
+/// How the detector sees a swarm: the images of its network, for a rule those of the network that is carried inside.
+ImageSettings image_seen_by(const std::string& detector);
 
 }  // namespace ddtool

@@ -117,8 +117,10 @@ ExitCode SlamCommand::run(const Json& settings) {
     const std::vector<std::string> losses = shortfalls(log_file_, scans.summary(), interrupt, result);
     std::vector<std::string> warnings = log_warnings(scans.summary());
     warnings.insert(warnings.end(), losses.begin(), losses.end());
-    const bool has_page = folder.write_page(
-        [&] { return run_page(report, warnings, result, map, folder.course(), {.swarm = Swarm::response}); });
+    const bool has_page = folder.write_page([&] {
+        return run_page(report, warnings, result, map, folder.course(),
+                        image_seen_by(parts_of(filter_settings.method).detector));
+    });
     std::cout << (as_json_ ? report.dump(2) + "\n" : slam_summary(report, folder_, folder.files()));
     const ExitCode log_loss = problems.finish(scans.summary());
     std::for_each(losses.begin(), losses.end(), log_warning);
