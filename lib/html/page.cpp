@@ -2,6 +2,7 @@
 
 #include <exception>
 #include <system_error>
+#include <utility>
 
 #include "base/atomic_file.hpp"
 #include "base/log.hpp"
@@ -41,8 +42,9 @@ std::string table_element(const Table::Words& words) {
 
 void add_values(Table& table, const std::string& path, const Json& value) {
     if (value.is_object()) {
+        const std::string before = path.empty() ? "" : path + ".";
         for (const auto& [key, below] : value.items()) {
-            add_values(table, path.empty() ? key : path + "." + key, below);
+            add_values(table, std::string(before).append(key), below);
         }
     } else {
         const std::string text = value.dump(-1, ' ', false, Json::error_handler_t::replace);
@@ -61,7 +63,7 @@ Picture picture_of_file(const std::string& title, const std::filesystem::path& f
     return {.title = title, .png = read_file(file), .caption = ""};
 }
 
-Page::Page(const std::string& kind, const std::string& title) : kind_(kind), title_(title) {}
+Page::Page(std::string kind, std::string title) : kind_(std::move(kind)), title_(std::move(title)) {}
 
 Page& Page::section(const std::string& heading) {
     const std::string id = id_of_section(headings_.size());
@@ -101,7 +103,7 @@ Page& Page::table(const Table& table) {
         return *this;
     }
     const std::string name = headings_.empty() ? title_ : headings_.back();
-    body_ += "<div class=\"wide\" role=\"region\" tabindex=\"0\" aria-label=\"" + escaped(name) + ", table\">\n" +
+    body_ += R"(<div class="wide" role="region" tabindex="0" aria-label=")" + escaped(name) + ", table\">\n" +
              table_element(table.words()) + "</div>\n";
     return *this;
 }
@@ -118,7 +120,7 @@ Page& Page::pictures(std::span<const Picture> pictures) {
 Page& Page::moments(std::span<const Moment> moments) {
     body_ += "<div class=\"pictures tiles\">\n";
     for (const auto& [picture, row] : moments) {
-        figure(picture, "<button type=\"button\" data-row=\"" + std::to_string(row) +
+        figure(picture, R"(<button type="button" data-row=")" + std::to_string(row) +
                             "\" aria-label=\"Show on the map: " + escaped(picture.title) +
                             "\">Show on the map</button>");
     }

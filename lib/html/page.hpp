@@ -42,7 +42,7 @@ public:
     static constexpr std::size_t most_picture_bytes = 24'000'000;
 
     /// kind: what made it, such as "ddtool slam".
-    Page(const std::string& kind, const std::string& title);
+    Page(std::string kind, std::string title);
 
     /// What follows stands under the heading.
     Page& section(const std::string& heading);

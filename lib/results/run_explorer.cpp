@@ -151,6 +151,7 @@ Json map_json(const MapRaster& map) {
 
 std::vector<std::size_t> rows_of(const std::vector<Line>& lines) {
     std::vector<std::vector<double>> values;
+    values.reserve(lines.size());
     for (const Line& line : lines) {
         values.push_back(line.values);
     }
