@@ -13,6 +13,9 @@ namespace ddtool {
 /// What every command that reads a log takes: its settings are under "log".
 Json default_log_settings();
 
+inline constexpr const char* log_file_help =
+    "The log: MCAP, ROS 1 bag, rosbag2 (folder or .db3) or CARMEN (also .gz, .bz2)";
+
 /// An option and the setting it stands for, for Command::bind_option().
 struct LogOption {
     const char* option;

@@ -63,7 +63,7 @@ Json cost_report(std::size_t threads, Clock::time_point start) {
 SlamCommand::SlamCommand() : Command("slam", "Map and trajectory from a log", "ddtool slam --log run.mcap --out run") {}
 
 void SlamCommand::add_options(CLI::App& app) {
-    app.add_option("--log", log_file_, "The log: MCAP or CARMEN (also .gz, .bz2)")->type_name("FILE")->required();
+    app.add_option("--log", log_file_, log_file_help)->type_name("FILE")->required();
     app.add_option("--out", folder_, "Folder for the results; created where it is not there")
         ->type_name("DIR")
         ->required();

@@ -52,7 +52,7 @@ private:
     LogProblemHandler on_problem_;
 };
 
-/// Opens a log of any kind that is read: MCAP or CARMEN (plain, gzip or bzip2), told apart by content, not by name.
+/// Opens a log of any kind that is read (logs/log_container.hpp), told apart by content, not by name.
 /// Throws Error naming the file for what is none of these or cannot be opened, UsageError for options that do not fit.
 std::unique_ptr<LogStream> open_log(const std::filesystem::path& path, const LogOptions& options,
                                     LogProblemHandler on_problem);

@@ -11,7 +11,7 @@
 namespace ddtool {
 namespace {
 
-McapCompression take_compression(McapFieldReader& fields) {
+Compression take_compression(McapFieldReader& fields) {
     const std::string name = fields.take_string();
     const auto compression = mcap_compression_of(name);
     if (!compression) {
@@ -49,7 +49,7 @@ McapChunk McapChunkReader::unpack(bool cut_off) {
     fields.take_bytes(2 * sizeof(std::uint64_t));  // earliest and latest log time
     const auto uncompressed_size = fields.take<std::uint64_t>();
     const auto crc = fields.take<std::uint32_t>();
-    const McapCompression compression = take_compression(fields);
+    const Compression compression = take_compression(fields);
     if (uncompressed_size > mcap_max_held_bytes) {
         throw Error("it declares " + std::to_string(uncompressed_size) + " bytes of records, more than the limit of " +
                     std::to_string(mcap_max_held_bytes));

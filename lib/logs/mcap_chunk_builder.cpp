@@ -1,6 +1,7 @@
 #include "logs/mcap_chunk_builder.hpp"
 
 #include "base/crc.hpp"
+#include "logs/mcap_compression.hpp"
 
 namespace ddtool {
 
@@ -14,7 +15,7 @@ void McapChunkBuilder::add(std::uint16_t channel, std::uint32_t sequence, std::u
     records_.put_bytes(fields.bytes()).put_bytes(data);
 }
 
-void McapChunkBuilder::write(McapOutput& output, McapCompression compression, McapFieldWriter& chunk_indexes) {
+void McapChunkBuilder::write(McapOutput& output, Compression compression, McapFieldWriter& chunk_indexes) {
     const std::vector<std::byte> compressed = compress(compression, records_.bytes());
     const std::uint64_t chunk_start = output.offset();
     output.put_record(McapOpcode::chunk, McapFieldWriter()

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "logs/mcap_compression.hpp"
+#include "logs/compression.hpp"
 #include "logs/mcap_fields.hpp"
 #include "logs/mcap_output.hpp"
 
@@ -36,7 +36,7 @@ public:
     /// Of the records, before compression.
     [[nodiscard]] std::size_t size() const { return records_.size(); }
     /// Writes the chunk, appends its Chunk Index record to `chunk_indexes`, and is empty again.
-    void write(McapOutput& output, McapCompression compression, McapFieldWriter& chunk_indexes);
+    void write(McapOutput& output, Compression compression, McapFieldWriter& chunk_indexes);
 
 private:
     struct Indexed {

@@ -35,8 +35,9 @@ struct McapMessage {
     std::uint32_t sequence = 0;
     std::int64_t log_time_ns = 0;
     std::int64_t publish_time_ns = 0;
-    std::span<const std::byte> data;  ///< valid until the reader's next()
-    std::uint64_t file_offset = 0;    ///< of the message's record, or of the chunk that holds it
+    std::span<const std::byte> data;   ///< valid until the reader's next()
+    std::uint64_t file_offset = 0;     ///< of the message's record, or of the chunk that holds it
+    const char* offset_unit = "byte";  ///< or "row", in a database
 };
 
 }  // namespace ddtool

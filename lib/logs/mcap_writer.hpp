@@ -9,8 +9,8 @@
 #include <string_view>
 #include <vector>
 
+#include "logs/compression.hpp"
 #include "logs/mcap_chunk_builder.hpp"
-#include "logs/mcap_compression.hpp"
 #include "logs/mcap_fields.hpp"
 #include "logs/mcap_output.hpp"
 
@@ -18,7 +18,7 @@ namespace ddtool {
 
 struct McapWriterOptions {
     std::string profile;  ///< MCAP Format Registry; "ros2" when every channel is ROS 2
-    McapCompression compression = McapCompression::zstd;
+    Compression compression = Compression::zstd;
     std::size_t chunk_bytes = std::size_t{1} << 20;  ///< before compression; a chunk is written when it reaches this
 };
 

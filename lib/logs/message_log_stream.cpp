@@ -146,7 +146,7 @@ Pose2 MessageLogStream::odometry_at(std::int64_t stamp_ns) {
 
 void MessageLogStream::report_message(const McapMessage& message, const std::string& what) {
     report({file_ + ": " + message.channel->topic + " (" + message.channel->schema.name + "): skipped " + what +
-                " near byte " + std::to_string(message.file_offset),
+                " near " + message.offset_unit + " " + std::to_string(message.file_offset),
             message.file_offset});
 }
 

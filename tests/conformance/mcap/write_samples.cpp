@@ -147,8 +147,8 @@ Json expected() {
 }
 
 void write_all(const std::filesystem::path& folder) {
-    const std::map<std::string, McapCompression> compressions = {
-        {"none", McapCompression::none}, {"lz4", McapCompression::lz4}, {"zstd", McapCompression::zstd}};
+    const std::map<std::string, Compression> compressions = {
+        {"none", Compression::none}, {"lz4", Compression::lz4}, {"zstd", Compression::zstd}};
     for (const auto& [name, compression] : compressions) {
         write(folder / ("chunks_" + name + ".mcap"), {"ros2", compression, 1000});
         write(folder / ("one_chunk_" + name + ".mcap"), {"ros2", compression, std::size_t{1} << 20});

@@ -11,7 +11,7 @@ using testing::SizeIs;
 constexpr std::size_t message_count = 300;
 
 struct Layout {
-    McapCompression compression;
+    Compression compression;
     std::size_t chunk_bytes;
 };
 
@@ -21,14 +21,14 @@ protected:
 };
 
 INSTANTIATE_TEST_SUITE_P(Layouts, McapRoundTrip,
-                         testing::Values(Layout{McapCompression::none, 1}, Layout{McapCompression::none, 1000},
-                                         Layout{McapCompression::none, 1U << 20}, Layout{McapCompression::lz4, 1},
-                                         Layout{McapCompression::lz4, 1000}, Layout{McapCompression::lz4, 1U << 20},
-                                         Layout{McapCompression::zstd, 1}, Layout{McapCompression::zstd, 1000},
-                                         Layout{McapCompression::zstd, 1U << 20}));
+                         testing::Values(Layout{Compression::none, 1}, Layout{Compression::none, 1000},
+                                         Layout{Compression::none, 1U << 20}, Layout{Compression::lz4, 1},
+                                         Layout{Compression::lz4, 1000}, Layout{Compression::lz4, 1U << 20},
+                                         Layout{Compression::zstd, 1}, Layout{Compression::zstd, 1000},
+                                         Layout{Compression::zstd, 1U << 20}));
 
 TEST_P(McapRoundTrip, GivesTheMessagesWhateverTheLayout) {
-    const ReadBack plain = read_back(example_file({"", McapCompression::none, 1U << 20}, message_count));
+    const ReadBack plain = read_back(example_file({"", Compression::none, 1U << 20}, message_count));
     const ReadBack result = read_back(example_file(options(), message_count));
     EXPECT_FALSE(result.error);
     EXPECT_THAT(result.problems, IsEmpty());
@@ -82,7 +82,7 @@ TEST(McapWriter, SaysWhichFileItCannotCreate) {
 TEST(McapReader, FractionReadGrowsToOne) {
     const TemporaryFolder folder;
     const auto path = folder / "file.mcap";
-    write_file(path, example_file({"", McapCompression::zstd, 500}, message_count));
+    write_file(path, example_file({"", Compression::zstd, 500}, message_count));
     McapReader reader(path, [](const LogProblem&) {});
     double before = 0.0;
     while (reader.next()) {
