@@ -9,6 +9,7 @@
 #include "engine_provider.hpp"
 #include "eval_command.hpp"
 #include "export_command.hpp"
+#include "info_command.hpp"
 #include "program.hpp"
 #include "score_command.hpp"
 #include "simulate_command.hpp"
@@ -26,6 +27,7 @@ CommandTable all_commands() {
     table.push_back(std::make_unique<DatasetCommand>());
     table.push_back(std::make_unique<EvalCommand>());
     table.push_back(std::make_unique<ExportCommand>());
+    table.push_back(std::make_unique<InfoCommand>());
     table.push_back(std::make_unique<ScoreCommand>());
     table.push_back(std::make_unique<SimulateCommand>());
     table.push_back(std::make_unique<SlamCommand>());

@@ -39,7 +39,7 @@ void record(Recording& recording, const std::string& topic, std::int64_t stamp_n
 /// A robot that drives ahead for a second, with a scan each 100 ms, odometry each 40 ms and the laser in front of it.
 inline Recording example_recording() {
     Recording recording;
-    record(recording, "/tf", 0, ros::transform_message(0, "base", "laser", {0.2, 0.1, 0.0}));
+    record(recording, "/tf", 10'000'000, ros::transform_message(10'000'000, "base", "laser", {0.2, 0.1, 0.0}));
     for (std::int64_t stamp_ns = 20'000'000; stamp_ns < 1'000'000'000; stamp_ns += 20'000'000) {
         const double x_m = 1e-9 * static_cast<double>(stamp_ns);
         if (stamp_ns % 40'000'000 == 0) {

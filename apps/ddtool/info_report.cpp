@@ -1,0 +1,200 @@
+#include "info_report.hpp"
+
+#include <array>
+#include <cstdio>
+#include <ctime>
+#include <numbers>
+
+#include "eval/table.hpp"
+#include "geometry/pose2_json.hpp"
+
+namespace ddtool {
+namespace {
+
+constexpr double degrees_per_rad = 180.0 / std::numbers::pi;
+
+std::string fixed(double number, int decimals) {
+    std::array<char, 64> text{};
+    std::snprintf(text.data(), text.size(), "%.*f", decimals, number);
+    return text.data();
+}
+
+std::string utc(std::int64_t time_ns) {
+    const auto seconds = static_cast<std::time_t>(time_ns / 1'000'000'000);
+    std::tm parts{};
+    ::gmtime_r(&seconds, &parts);
+    std::array<char, 64> text{};
+    std::strftime(text.data(), text.size(), "%Y-%m-%d %H:%M:%S UTC", &parts);
+    return text.data();
+}
+
+std::string used_as(const std::string& topic, const LogSummary& summary) {
+    if (topic == summary.scan_topic) {
+        return topic == summary.odom_topic ? "scans, odometry" : "scans";
+    }
+    if (topic == summary.odom_topic) {
+        return "odometry";
+    }
+    return topic == summary.ground_truth_topic ? "ground truth" : "";
+}
+
+std::string joined_frames(const TopicInventory& topic) {
+    constexpr std::size_t max_shown = 3;
+    std::string text;
+    std::size_t shown = 0;
+    for (const std::string& frame : topic.frames) {
+        if (shown++ == max_shown) {
+            return text + ", and " + std::to_string(topic.frames.size() - max_shown) + " more";
+        }
+        text += (text.empty() ? "" : ", ") + frame;
+    }
+    return text;
+}
+
+std::string topic_table(const LogInfo& info) {
+    Table table({{"topic"}, {"type"}, {"messages"}, {"rate, Hz", 1}, {"used as"}, {"frames"}});
+    const LogSummary summary = info.use ? info.use->summary : LogSummary{};
+    for (const TopicInventory& topic : info.inventory.topics) {
+        table.add_row({topic.topic, topic.type, static_cast<std::int64_t>(topic.messages), topic.rate_hz(),
+                       used_as(topic.topic, summary), joined_frames(topic)});
+    }
+    return table.text();
+}
+
+double scans_hz(const LogUse& use) {
+    const double duration_s = 1e-9 * static_cast<double>(use.last_ns - use.first_ns);
+    return duration_s > 0.0 ? static_cast<double>(use.summary.scans - 1) / duration_s : 0.0;
+}
+
+std::string beams_text(const LogUse& use) {
+    return use.fewest_beams == use.most_beams
+               ? std::to_string(use.most_beams)
+               : std::to_string(use.fewest_beams) + " to " + std::to_string(use.most_beams);
+}
+
+std::string use_text(const LogUse& use) {
+    const Pose2& laser = use.robot_from_laser;
+    std::string text = "scans     " + std::to_string(use.summary.scans) + " of " + beams_text(use) + " beams over " +
+                       fixed(degrees_per_rad * use.field_of_view_rad, 1) + " deg, up to " + fixed(use.range_max_m, 1) +
+                       " m, " + fixed(scans_hz(use), 1) + " Hz; longest gap " + fixed(use.longest_gap_s, 2) + " s; " +
+                       fixed(100.0 * static_cast<double>(use.returns) / static_cast<double>(use.beams), 0) +
+                       " % of the beams have a range\n";
+    if (use.stamps_back > 0) {
+        text += "          " + std::to_string(use.stamps_back) + " are stamped before the one before\n";
+    }
+    if (use.summary.has_odometry) {
+        text += "odometry  " + fixed(use.odometry_m, 1) + " m driven\n";
+    }
+    if (use.with_ground_truth > 0) {
+        text += "truth     for " + std::to_string(use.with_ground_truth) + " scans\n";
+    }
+    return text + "laser     x " + fixed(laser.x_m, 3) + " m, y " + fixed(laser.y_m, 3) + " m, yaw " +
+           fixed(degrees_per_rad * laser.theta_rad, 1) + " deg on the robot\n";
+}
+
+/// What the log does not say, and what was taken instead; without the file's name in front.
+std::vector<std::string> assumptions(const std::string& file, const LogUse& use) {
+    std::vector<std::string> lines;
+    for (const std::string& assumption : use.summary.assumptions) {
+        lines.push_back(assumption.starts_with(file + ": ") ? assumption.substr(file.size() + 2) : assumption);
+    }
+    return lines;
+}
+
+/// Lines under a word, the first beside it.
+std::string under(const std::string& word, const std::vector<std::string>& lines) {
+    std::string text;
+    for (const std::string& line : lines) {
+        text += (text.empty() ? word : std::string(word.size(), ' ')) + line + "\n";
+    }
+    return text;
+}
+
+std::string damage_text(const LogDamage& damage) {
+    if (damage.problems == 0) {
+        return "damage    none\n";
+    }
+    std::vector<std::string> lines{std::to_string(damage.problems) +
+                                   " problems; bytes known to be lost: " + std::to_string(damage.bytes_lost)};
+    lines.insert(lines.end(), damage.first.begin(), damage.first.end());
+    return under("damage    ", lines);
+}
+
+Json topic_json(const TopicInventory& topic, const LogSummary& summary) {
+    return {{"topic", topic.topic},       {"type", topic.type},
+            {"encoding", topic.encoding}, {"messages", topic.messages},
+            {"rate_hz", topic.rate_hz()}, {"first_ns", topic.first_ns},
+            {"last_ns", topic.last_ns},   {"used_as", used_as(topic.topic, summary)},
+            {"frames", topic.frames}};
+}
+
+Json use_json(const std::string& file, const LogUse& use) {
+    return {{"scan_topic", use.summary.scan_topic},
+            {"odom_topic", use.summary.odom_topic},
+            {"ground_truth_topic", use.summary.ground_truth_topic},
+            {"has_odometry", use.summary.has_odometry},
+            {"scans", use.summary.scans},
+            {"scans_hz", scans_hz(use)},
+            {"longest_gap_s", use.longest_gap_s},
+            {"stamps_back", use.stamps_back},
+            {"fewest_beams", use.fewest_beams},
+            {"most_beams", use.most_beams},
+            {"field_of_view_rad", use.field_of_view_rad},
+            {"range_max_m", use.range_max_m},
+            {"beams", use.beams},
+            {"returns", use.returns},
+            {"odometry_m", use.odometry_m},
+            {"with_ground_truth", use.with_ground_truth},
+            {"robot_from_laser", use.robot_from_laser},
+            {"assumptions", assumptions(file, use)}};
+}
+
+}  // namespace
+
+LogProblemHandler LogDamage::handler() {
+    return [this](const LogProblem& problem) {
+        ++problems;
+        bytes_lost += problem.bytes_lost;
+        if (first.size() < max_told) {
+            first.push_back(problem.what);
+        }
+    };
+}
+
+Json info_json(const std::string& file, const LogInfo& info) {
+    Json topics = Json::array();
+    for (const TopicInventory& topic : info.inventory.topics) {
+        topics.push_back(topic_json(topic, info.use ? info.use->summary : LogSummary{}));
+    }
+    Json report{{"file", file},
+                {"format", info.inventory.format},
+                {"messages", info.inventory.messages()},
+                {"first_ns", info.inventory.first_ns()},
+                {"duration_s", info.inventory.duration_s()},
+                {"topics", topics},
+                {"usable", info.use.has_value()}};
+    if (info.use) {
+        report["use"] = use_json(file, *info.use);
+    } else {
+        report["unusable"] = info.unusable;
+    }
+    report["damage"] = {
+        {"problems", info.damage.problems}, {"bytes_lost", info.damage.bytes_lost}, {"first", info.damage.first}};
+    return report;
+}
+
+std::string info_text(const std::string& file, const LogInfo& info) {
+    const LogInventory& inventory = info.inventory;
+    std::string text = file + ": " + inventory.format + ", " + std::to_string(inventory.messages()) + " messages, " +
+                       fixed(inventory.duration_s(), 1) + " s from " + utc(inventory.first_ns()) + "\n\n" +
+                       topic_table(info) + "\n";
+    if (info.use) {
+        const std::vector<std::string> lines = assumptions(file, *info.use);
+        text += use_text(*info.use) + (lines.empty() ? "assumed   nothing\n" : under("assumed   ", lines));
+    } else {
+        text += under("unusable  ", {info.unusable});
+    }
+    return text + damage_text(info.damage);
+}
+
+}  // namespace ddtool
