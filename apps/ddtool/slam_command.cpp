@@ -4,12 +4,11 @@
 #include <chrono>
 #include <iostream>
 
-#include "base/interrupt.hpp"
 #include "base/log.hpp"
 #include "base/process_usage.hpp"
 #include "base/progress.hpp"
 #include "detectors.hpp"
-#include "log_options.hpp"
+#include "logs/live_log.hpp"
 #include "results/run_folder.hpp"
 #include "results/run_page.hpp"
 #include "results/run_report.hpp"
@@ -63,7 +62,10 @@ Json cost_report(std::size_t threads, Clock::time_point start) {
 SlamCommand::SlamCommand() : Command("slam", "Map and trajectory from a log", "ddtool slam --log run.mcap --out run") {}
 
 void SlamCommand::add_options(CLI::App& app) {
-    app.add_option("--log", log_file_, log_file_help)->type_name("FILE")->required();
+    app.add_option("--log", log_file_, log_file_help + std::string("; - is MCAP from standard input"))
+        ->type_name("FILE")
+        ->required();
+    app.add_flag("--follow", follow_, "The log is MCAP that is still being written: wait for more, up to its footer");
     app.add_option("--out", folder_, "Folder for the results; created where it is not there")
         ->type_name("DIR")
         ->required();
@@ -86,6 +88,19 @@ Json SlamCommand::default_settings() const {
     return {{"log", default_log_settings()}, {"filter", filter_settings_json({})}};
 }
 
+std::unique_ptr<LogStream> SlamCommand::open(const LogOptions& options, const InterruptRequest& interrupt,
+                                             LogReport& problems) const {
+    const auto stop = [&interrupt] { return interrupt.made(); };
+    if (log_file_ != "-") {
+        return follow_ ? follow_log(log_file_, options, stop, problems.handler())
+                       : open_log(log_file_, options, problems.handler());
+    }
+    if (follow_) {
+        throw UsageError("--follow: expected the file that is being written; standard input ends by itself");
+    }
+    return open_standard_input(options, stop, problems.handler());
+}
+
 ExitCode SlamCommand::run(const Json& settings) {
     const auto start = Clock::now();
     const FilterSettings filter_settings = filter_settings_from_json(settings.at("filter"));
@@ -93,8 +108,8 @@ ExitCode SlamCommand::run(const Json& settings) {
     // Before the log is opened: a detector that needs LibTorch starts the command anew.
     std::unique_ptr<Rbpf> filter = make_filter(filter_settings, all_detectors(), threads);
     LogReport problems;
-    DrivenScans scans(open_log(log_file_, log_options(settings.at("log")), problems.handler()), filter_settings.rbpf);
     const InterruptRequest interrupt;
+    DrivenScans scans(open(log_options(settings.at("log")), interrupt, problems), filter_settings.rbpf);
     RunFolder folder(folder_, with_snapshots_);
     const FilterRun result = run_over(scans, std::move(filter), interrupt, folder);
     return_freed_memory();  // the particles' maps, before pictures are drawn

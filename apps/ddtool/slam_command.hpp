@@ -1,9 +1,12 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <string>
 
+#include "base/interrupt.hpp"
 #include "command.hpp"
+#include "log_options.hpp"
 
 namespace ddtool {
 
@@ -18,7 +21,11 @@ protected:
     ExitCode run(const Json& settings) override;
 
 private:
+    [[nodiscard]] std::unique_ptr<LogStream> open(const LogOptions& options, const InterruptRequest& interrupt,
+                                                  LogReport& problems) const;
+
     std::string log_file_;
+    bool follow_ = false;
     std::string folder_;
     std::size_t threads_ = 0;
     bool with_snapshots_ = false;

@@ -40,9 +40,14 @@ void Progress::update(double fraction_done, std::size_t count) {
 
 void Progress::draw(double fraction_done, std::size_t count, Clock::time_point now) {
     const double elapsed_s = std::chrono::duration<double>(now - start_).count();
-    const double left_s = elapsed_s * (1.0 - fraction_done) / fraction_done;
-    std::fprintf(stderr, "\r\033[K%s %3.0f %%  %zu %s  %.0f %s/s  %s left", what_.c_str(), 100.0 * fraction_done, count,
-                 unit_.c_str(), static_cast<double>(count) / elapsed_s, unit_.c_str(), format_duration(left_s).c_str());
+    const double rate = static_cast<double>(count) / elapsed_s;
+    if (fraction_done > 0.0) {
+        const double left_s = elapsed_s * (1.0 - fraction_done) / fraction_done;
+        std::fprintf(stderr, "\r\033[K%s %3.0f %%  %zu %s  %.0f %s/s  %s left", what_.c_str(), 100.0 * fraction_done,
+                     count, unit_.c_str(), rate, unit_.c_str(), format_duration(left_s).c_str());
+    } else {
+        std::fprintf(stderr, "\r\033[K%s  %zu %s  %.0f %s/s", what_.c_str(), count, unit_.c_str(), rate, unit_.c_str());
+    }
     drawn_ = true;
 }
 

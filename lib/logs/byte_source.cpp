@@ -42,6 +42,15 @@ ByteSource::ByteSource(const std::filesystem::path& path) : ByteSource(open_file
 ByteSource::ByteSource(std::unique_ptr<std::istream> stream, std::string name)
     : stream_(std::move(stream)), name_(std::move(name)) {}
 
+ByteSource::ByteSource(std::unique_ptr<LiveBuffer> live, std::string name)
+    : live_(std::move(live)), stream_(std::make_unique<std::istream>(live_.get())), name_(std::move(name)) {}
+
+void ByteSource::wait_no_more() {
+    if (live_) {
+        live_->wait_no_more();
+    }
+}
+
 std::size_t ByteSource::read(std::span<std::byte> into) {
     stream_->read(reinterpret_cast<char*>(into.data()), static_cast<std::streamsize>(into.size()));
     if (stream_->bad()) {

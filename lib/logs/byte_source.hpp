@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "logs/live_buffer.hpp"
+
 namespace ddtool {
 
 /// Bytes read strictly forward, from a file or a pipe, with their running CRC-32.
@@ -17,8 +19,10 @@ class ByteSource {
 public:
     /// Opens a file. Throws Error naming it and the system's reason.
     explicit ByteSource(const std::filesystem::path& path);
-    /// Any stream, e.g. standard input; its length is unknown.
+    /// Any stream; its length is unknown.
     ByteSource(std::unique_ptr<std::istream> stream, std::string name);
+    /// Bytes that come while they are read; their length is unknown.
+    ByteSource(std::unique_ptr<LiveBuffer> live, std::string name);
 
     /// Fills `into`; returns how many bytes came, fewer only at the end. Throws Error when the system cannot read.
     std::size_t read(std::span<std::byte> into);
@@ -27,6 +31,8 @@ public:
     std::uint64_t append_to(std::vector<std::byte>& into, std::uint64_t size);
     /// Reads over `size` bytes; returns how many there were.
     std::uint64_t skip(std::uint64_t size);
+    /// The content ends here: of a file that is followed, nothing more is waited for.
+    void wait_no_more();
 
     [[nodiscard]] const std::string& name() const { return name_; }
     /// Bytes read so far.
@@ -41,6 +47,7 @@ public:
     void restart_crc() { crc_ = 0; }
 
 private:
+    std::unique_ptr<LiveBuffer> live_;  ///< behind the stream, where there is one
     std::unique_ptr<std::istream> stream_;
     std::string name_;
     std::optional<std::uint64_t> size_;

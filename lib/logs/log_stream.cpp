@@ -26,8 +26,8 @@ std::unique_ptr<LogStream> open_log(const std::filesystem::path& path, const Log
     const auto open = [container, path](LogProblemHandler handler) {
         return open_messages(container, path, std::move(handler));
     };
-    return std::make_unique<MessageLogStream>(open, std::string(name_of(container)), path.string(), options,
-                                              std::move(on_problem));
+    return std::make_unique<MessageLogStream>(open, MessageLogStream::Opening::twice, std::string(name_of(container)),
+                                              path.string(), options, std::move(on_problem));
 }
 
 }  // namespace ddtool

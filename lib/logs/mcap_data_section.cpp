@@ -169,6 +169,7 @@ void McapDataSection::check_end() {
     ended_ = true;
     std::array<std::byte, mcap_magic.size()> end{};
     const std::size_t count = source_.read(end);
+    source_.wait_no_more();
     const std::uint64_t more = source_.skip(everything);
     if (count < end.size()) {
         report("the file is cut off at its very end");

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <utility>
 
+#include "logs/kept_messages.hpp"
 #include "logs/laser_mounting.hpp"
 #include "logs/ros_conversions.hpp"
 
@@ -15,18 +16,33 @@ double seconds_between(std::int64_t a_ns, std::int64_t b_ns) {
 
 }  // namespace
 
-MessageLogStream::MessageLogStream(const OpenSource& open, std::string format, std::string file,
+MessageLogStream::MessageLogStream(const OpenSource& open, Opening opening, std::string format, std::string file,
                                    const LogOptions& options, LogProblemHandler on_problem)
     : LogStream(std::move(on_problem)), file_(std::move(file)) {
-    const auto survey_source = open([](const LogProblem&) {});  // the second reading reports
-    plan_ = plan_log(survey_log(*survey_source, options), options, file_);
-    source_ = open([this](const LogProblem& problem) { report(problem); });
+    if (opening == Opening::twice) {
+        survey(open, options);
+    } else {
+        survey_once(open, options);
+    }
     summary_.format = std::move(format);
     summary_.scan_topic = plan_.scan_topic;
     summary_.odom_topic = plan_.odom_topic;
     summary_.has_odometry = !plan_.odom_topic.empty();
     summary_.ground_truth_topic = plan_.ground_truth_topic;
     summary_.assumptions = plan_.assumptions;
+}
+
+void MessageLogStream::survey(const OpenSource& open, const LogOptions& options) {
+    const auto survey_source = open([](const LogProblem&) {});  // the second reading reports
+    plan_ = plan_log(survey_log(*survey_source, options), options, file_);
+    source_ = open([this](const LogProblem& problem) { report(problem); });
+}
+
+void MessageLogStream::survey_once(const OpenSource& open, const LogOptions& options) {
+    auto source = std::make_unique<KeptMessages>(open([this](const LogProblem& problem) { report(problem); }));
+    plan_ = plan_log(survey_log(*source, options), options, file_);
+    source->rewind();
+    source_ = std::move(source);
 }
 
 std::optional<SensorFrame> MessageLogStream::next() {

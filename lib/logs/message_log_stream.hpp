@@ -13,9 +13,10 @@
 
 namespace ddtool {
 
-/// The frames of a log that is made of messages. Its beginning is read twice: to choose the topics, then for frames.
-/// A scan waits until an odometry (and ground truth) message behind it reaches its stamp, then takes the interpolated
-/// pose; where there is none (the log's ends, gaps) it takes the nearest.
+/// The frames of a log that is made of messages. Its beginning is read twice: to choose the topics, then for frames; of
+/// a log that can be opened but once it is kept in memory meanwhile. A scan waits until an odometry (and ground truth)
+/// message behind it reaches its stamp, then takes the interpolated pose; where there is none (the log's ends, gaps) it
+/// takes the nearest.
 class MessageLogStream : public LogStream {
 public:
     /// Scans that may wait at a time; beyond, the first goes without waiting.
@@ -25,9 +26,11 @@ public:
 
     using OpenSource = std::function<std::unique_ptr<MessageSource>(LogProblemHandler)>;
 
+    enum class Opening { twice, once };
+
     /// Surveys the log at once. `file` is for messages. Throws as plan_log() does.
-    MessageLogStream(const OpenSource& open, std::string format, std::string file, const LogOptions& options,
-                     LogProblemHandler on_problem);
+    MessageLogStream(const OpenSource& open, Opening opening, std::string format, std::string file,
+                     const LogOptions& options, LogProblemHandler on_problem);
 
     std::optional<SensorFrame> next() override;
     [[nodiscard]] double fraction_read() const override { return source_->fraction_read(); }
@@ -39,6 +42,9 @@ private:
         bool has_ground_truth = false;
     };
 
+    /// Sets plan_ and source_, which then begins anew.
+    void survey(const OpenSource& open, const LogOptions& options);
+    void survey_once(const OpenSource& open, const LogOptions& options);
     void take(const McapMessage& message);
     void take_scan(const McapMessage& message);
     void take_odometry(const McapMessage& message);

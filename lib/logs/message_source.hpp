@@ -16,6 +16,7 @@ public:
 
     /// The next message, valid until the next call; none at the end.
     virtual std::optional<McapMessage> next() = 0;
+    /// Share read, 0..1; 0 where the length is unknown.
     [[nodiscard]] virtual double fraction_read() const = 0;
 };
 

@@ -28,7 +28,7 @@ public:
 
     /// The next frame; none at the end.
     virtual std::optional<SensorFrame> next() = 0;
-    /// Share of the source already read, 0..1, for progress.
+    /// Share of the source already read, 0..1, for progress; 0 where its length is unknown.
     [[nodiscard]] virtual double fraction_read() const = 0;
 };
 

@@ -48,8 +48,8 @@ protected:
     }
     std::unique_ptr<MessageLogStream> open(const LogOptions& options = {}) {
         return std::make_unique<MessageLogStream>(
-            [this](const LogProblemHandler&) { return log_.open(); }, "test", "log", options,
-            [this](const LogProblem& problem) { problems_.push_back(problem.what); });
+            [this](const LogProblemHandler&) { return log_.open(); }, MessageLogStream::Opening::twice, "test", "log",
+            options, [this](const LogProblem& problem) { problems_.push_back(problem.what); });
     }
     std::vector<SensorFrame> read(const LogOptions& options = {}) {
         stream_ = open(options);

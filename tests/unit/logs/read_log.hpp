@@ -1,6 +1,7 @@
 #pragma once
 
-#include <optional>
+#include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -17,11 +18,11 @@ struct ReadLog {
     std::string error;  ///< what ended the reading; empty: its end
 };
 
-inline ReadLog read_all(const std::filesystem::path& path) {
+/// `open` makes the stream, of the handler that it is given.
+inline ReadLog read_all(const std::function<std::unique_ptr<LogStream>(LogProblemHandler)>& open) {
     ReadLog result;
     try {
-        const auto log =
-            open_log(path, {}, [&](const LogProblem& problem) { result.problems.push_back(problem.what); });
+        const auto log = open([&](const LogProblem& problem) { result.problems.push_back(problem.what); });
         while (auto frame = log->next()) {
             result.frames.push_back(std::move(*frame));
         }
@@ -30,6 +31,10 @@ inline ReadLog read_all(const std::filesystem::path& path) {
         result.error = error.what();
     }
     return result;
+}
+
+inline ReadLog read_all(const std::filesystem::path& path) {
+    return read_all([&](const LogProblemHandler& on_problem) { return open_log(path, {}, on_problem); });
 }
 
 /// Equal to the bit.

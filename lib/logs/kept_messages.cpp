@@ -1,0 +1,24 @@
+#include "logs/kept_messages.hpp"
+
+#include <utility>
+
+#include "logs/message_decoder.hpp"
+
+namespace ddtool {
+
+std::optional<McapMessage> KeptMessages::next() {
+    if (keeping_ || kept_.empty()) {
+        const std::optional<McapMessage> message = source_->next();
+        if (keeping_ && message && kind_of(*message->channel) != MessageKind::other) {
+            kept_.push_back({*message, {message->data.begin(), message->data.end()}});
+        }
+        return message;
+    }
+    McapMessage message = kept_.front().message;
+    given_ = std::move(kept_.front().data);
+    kept_.pop_front();
+    message.data = given_;
+    return message;
+}
+
+}  // namespace ddtool
