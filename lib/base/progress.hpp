@@ -17,7 +17,8 @@ public:
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
 
-    /// fraction_done in 0..1, where 0 stands for unknown, too; count: units done so far. Cheap: redraws a few times a second at most.
+    /// fraction_done in 0..1, where 0 stands for unknown, too; count: units done so far. Cheap: redraws a few times a
+    /// second at most.
     void update(double fraction_done, std::size_t count);
 
 private:
