@@ -1,0 +1,25 @@
+// The shipped network on the swarm of one's own particle filter: once held in place by matching, once spread as
+// odometry predicted.
+#include <iostream>
+
+#include "native/network_detector.hpp"
+#include "native/shipped_model.hpp"
+
+static ddtool::ParticleSnapshot swarm(double share_left) {
+    ddtool::ParticleSnapshot snapshot;
+    snapshot.odometry_motion = {0.1, 0.0, 0.0};
+    for (int i = -15; i < 15; ++i) {
+        ddtool::SnapshotParticle particle;
+        particle.predicted_motion = {0.1 + 0.002 * i, 0.0, 0.0};
+        particle.matched_motion = {0.1 + share_left * 0.002 * i, 0.0, 0.0};
+        particle.pose = particle.matched_motion;
+        particle.weight = 1.0 / 30.0;
+        snapshot.particles.push_back(particle);
+    }
+    return snapshot;
+}
+
+int main() {
+    const ddtool::DegeneracyDetector detector = ddtool::native::network_detector(ddtool::native::shipped_model());
+    std::cout << "held " << detector(swarm(0.0)).degree << ", open " << detector(swarm(1.0)).degree << '\n';
+}

@@ -1,0 +1,21 @@
+// map_a_log LOG: pose and degree of degeneracy as the filter goes over a log of any kind, then the map's extent.
+#include <iostream>
+
+#include "slam/driven_scans.hpp"
+#include "slam/method.hpp"
+
+int main(int, char** argv) {
+    ddtool::ThreadPool threads;
+    const ddtool::FilterSettings settings;
+    const auto filter = ddtool::make_filter(settings, {}, threads);
+    const auto report = [](const ddtool::LogProblem& problem) { std::cerr << problem.what << '\n'; };
+    ddtool::DrivenScans scans(ddtool::open_log(argv[1], {}, report), settings.rbpf);
+    while (const auto frame = scans.next()) {
+        if (filter->process(*frame)) {
+            const ddtool::Pose2 pose = filter->pose();
+            std::cout << pose.x_m << ' ' << pose.y_m << ' ' << filter->last_report().degeneracy.degree << '\n';
+        }
+    }
+    const ddtool::CellBox box = filter->best().grid.observed_box();
+    std::cout << "map of " << box.x_max - box.x_min << " x " << box.y_max - box.y_min << " cells\n";
+}

@@ -1,0 +1,32 @@
+# Debian packages, one for each component: ddtool; ddtool-torch, with LibTorch's 300 MB; libddtool-dev.
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_NAME ddtool)
+set(CPACK_PACKAGE_CONTACT "The ddtool maintainers")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "${PROJECT_DESCRIPTION}")
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_VERBATIM_VARIABLES ON)
+set(CPACK_COMPONENTS_ALL runtime development)
+if(DDTOOL_WITH_TORCH)
+  list(APPEND CPACK_COMPONENTS_ALL torch)
+endif()
+
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
+
+set(CPACK_DEBIAN_RUNTIME_PACKAGE_NAME ddtool)
+set(CPACK_DEBIAN_RUNTIME_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_RUNTIME_PACKAGE_SUGGESTS ddtool-torch)
+
+set(CPACK_DEBIAN_TORCH_PACKAGE_NAME ddtool-torch)
+set(CPACK_DEBIAN_TORCH_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_TORCH_PACKAGE_DEPENDS "ddtool (= ${PROJECT_VERSION})")
+
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libddtool-dev)
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
+string(JOIN ", " CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
+  cmake pkg-config libeigen3-dev nlohmann-json3-dev libspdlog-dev libfastcdr-dev libprotobuf-dev protobuf-compiler
+  libpng-dev liblz4-dev libzstd-dev zlib1g-dev libbz2-dev libsqlite3-dev libyaml-cpp-dev)
+include(CPack)
