@@ -50,18 +50,26 @@ void Command::declare(CLI::App& program) {
 
 ExitCode Command::execute() { return run(effective_settings()); }
 
-void Command::bind_option(CLI::App& app, const std::string& option, const std::string& path, const std::string& help) {
+CLI::Option* Command::bind_option(CLI::App& app, const std::string& option, const std::string& path,
+                                  const std::string& help) {
     const Json default_value = setting_at(default_settings(), path);
     const auto bind = [this, option, path](const std::string& text) { bound_values_.push_back({option, path, text}); };
     if (default_value.is_boolean()) {
-        app.add_flag_function(
+        return app.add_flag_function(
             option + ",!--no-" + option.substr(2), [bind](std::int64_t count) { bind(count > 0 ? "true" : "false"); },
             help);
-        return;
     }
-    app.add_option_function<std::string>(option, bind, help)
+    return app.add_option_function<std::string>(option, bind, help)
         ->type_name(type_name(default_value))
         ->default_str(default_value.is_string() ? default_value.get<std::string>() : bare(default_value));
+}
+
+std::string Command::choices(const std::vector<std::string>& words) {
+    std::string all;
+    for (const std::string& word : words) {
+        all += (all.empty() ? "" : "|") + word;
+    }
+    return all;
 }
 
 Json Command::effective_settings() const {

@@ -32,7 +32,12 @@ protected:
 
     /// A command-line option that is short for --set path=VALUE; where the default is a boolean, a flag with its
     /// --no- twin. Help shows the default. Throws std::out_of_range for a path that default_settings() lacks.
-    void bind_option(CLI::App& app, const std::string& option, const std::string& path, const std::string& help);
+    /// Returns the option, whose type_name tells the values: a|b for a choice (completion.hpp).
+    CLI::Option* bind_option(CLI::App& app, const std::string& option, const std::string& path,
+                             const std::string& help);
+
+    /// The type name of an option whose value is one of these.
+    [[nodiscard]] static std::string choices(const std::vector<std::string>& words);
 
 private:
     struct BoundValue {

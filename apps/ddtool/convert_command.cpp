@@ -32,8 +32,8 @@ ConvertCommand::ConvertCommand()
               "ddtool convert intel.clf.bz2 intel.mcap") {}
 
 void ConvertCommand::add_options(CLI::App& app) {
-    app.add_option("IN", input_, log_file_help)->required();
-    app.add_option("OUT", output_, "The MCAP file to write")->required();
+    app.add_option("IN", input_, log_file_help)->type_name("FILE")->required();
+    app.add_option("OUT", output_, "The MCAP file to write")->type_name("FILE.mcap")->required();
     for (const auto& [option, path, help] : log_option_table) {
         bind_option(app, option, path, help);
     }

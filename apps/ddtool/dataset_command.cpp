@@ -9,7 +9,7 @@ DatasetCommand::DatasetCommand()
               "ddtool dataset out/small") {}
 
 void DatasetCommand::add_options(CLI::App& app) {
-    app.add_option("DIR", folder_, "The data set; every byte is checked")->required();
+    app.add_option("DIR", folder_, "The data set; every byte is checked")->type_name("DIR")->required();
     app.add_option("--pictures", pictures_, "Draw histograms and montages of the images there")->type_name("DIR");
     app.add_flag("--json", as_json_, "Print JSON instead of tables");
 }

@@ -96,11 +96,12 @@ void EvalCommand::add_options(CLI::App& app) {
         ->type_name("FILE.pt");
     app.add_option("--fit", fit_, "Data set whose part train the simple rules are fitted on, if not that of --data")
         ->type_name("DIR");
-    bind_option(app, "--label", "label", "What counts as degenerate: dispersion or fisher");
-    bind_option(app, "--split", "split", "paper: samples at random; held_out: whole scenes");
-    bind_option(app, "--part", "part", "Samples that are tested: train, validation or test");
-    bind_option(app, "--device", "run.device", "Where models run: cpu or cuda");
-    bind_option(app, "--precision", "run.precision", "Of models: fp32 or bf16");
+    bind_option(app, "--label", "label", "What counts as degenerate")->type_name("dispersion|fisher");
+    bind_option(app, "--split", "split", "paper: samples at random; held_out: whole scenes")
+        ->type_name("paper|held_out");
+    bind_option(app, "--part", "part", "Samples that are tested")->type_name("train|validation|test");
+    bind_option(app, "--device", "run.device", "Where models run")->type_name("cpu|cuda");
+    bind_option(app, "--precision", "run.precision", "Of models")->type_name("fp32|bf16");
     bind_option(app, "--threads", "run.threads", "Of models; 0 is one a core");
     app.add_option("--ablation", ablation_, "Instead: the table that the file plans; what --out lacks is trained")
         ->type_name("FILE")

@@ -20,7 +20,7 @@ InfoCommand::InfoCommand()
     : Command("info", "What is in a log, and what a run would use of it", "ddtool info run.bag") {}
 
 void InfoCommand::add_options(CLI::App& app) {
-    app.add_option("FILE", log_file_, log_file_help)->required();
+    app.add_option("FILE", log_file_, log_file_help)->type_name("FILE")->required();
     for (const auto& [option, path, help] : log_option_table) {
         bind_option(app, option, path, help);
     }

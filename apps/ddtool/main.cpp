@@ -4,12 +4,14 @@
 #include "base/log.hpp"
 #include "build_dataset_command.hpp"
 #include "compare_command.hpp"
+#include "completion_command.hpp"
 #include "convert_command.hpp"
 #include "dataset_command.hpp"
 #include "engine_provider.hpp"
 #include "eval_command.hpp"
 #include "export_command.hpp"
 #include "info_command.hpp"
+#include "man_command.hpp"
 #include "program.hpp"
 #include "score_command.hpp"
 #include "simulate_command.hpp"
@@ -23,11 +25,13 @@ CommandTable all_commands() {
     CommandTable table;
     table.push_back(std::make_unique<BuildDatasetCommand>());
     table.push_back(std::make_unique<CompareCommand>());
+    table.push_back(std::make_unique<CompletionCommand>());
     table.push_back(std::make_unique<ConvertCommand>());
     table.push_back(std::make_unique<DatasetCommand>());
     table.push_back(std::make_unique<EvalCommand>());
     table.push_back(std::make_unique<ExportCommand>());
     table.push_back(std::make_unique<InfoCommand>());
+    table.push_back(std::make_unique<ManCommand>());
     table.push_back(std::make_unique<ScoreCommand>());
     table.push_back(std::make_unique<SimulateCommand>());
     table.push_back(std::make_unique<SlamCommand>());

@@ -15,8 +15,8 @@ void add_shared_options(CLI::App& program) {
     program
         .add_option_function<std::string>(
             "--log-level", [](const std::string& name) { set_log_level(log_level_named(name)); },
-            "Least of debug, info, warning, error to write on stderr")
-        ->type_name("LEVEL")
+            "Least of what is written on stderr")
+        ->type_name("debug|info|warning|error")
         ->default_str("info");
     program.add_flag_callback(
         "--quiet", [] { set_log_level(LogLevel::error); }, "Only errors on stderr: --log-level error");

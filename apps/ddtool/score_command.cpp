@@ -59,11 +59,11 @@ void ScoreCommand::add_options(CLI::App& app) {
         ->type_name("FILE.png")
         ->needs("--reference");
     app.add_flag("--json", as_json_, "Print JSON instead of a table");
-    bind_option(app, "--align", "align", "Motion granted to the estimate first: none, first or se2");
+    bind_option(app, "--align", "align", "Motion granted to the estimate first")->type_name("none|first|se2");
     bind_option(app, "--max-time-difference", "max_time_difference_s",
                 "Stamps at most this many seconds apart are one moment");
     bind_option(app, "--rpe-delta", "rpe.delta", "How far apart the two poses of an RPE motion are");
-    bind_option(app, "--rpe-unit", "rpe.unit", "Of the RPE delta: frames, metres or seconds");
+    bind_option(app, "--rpe-unit", "rpe.unit", "Of the RPE delta")->type_name("frames|metres|seconds");
 }
 
 Json ScoreCommand::default_settings() const {

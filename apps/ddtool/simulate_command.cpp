@@ -58,8 +58,8 @@ SimulateCommand::SimulateCommand()
 void SimulateCommand::add_options(CLI::App& app) {
     bind_option(app, "--world", "world", "A built-in or drawn world, or FILE.json; 'list' describes them");
     bind_option(app, "--seed", "seed", "Of the sensors' noise; the way driven is the same for all");
-    bind_option(app, "--lidar", "lidar.preset", "ls-m10p, rplidar-a1, hokuyo-utm-30lx or sick-lms");
-    bind_option(app, "--odometry", "odometry.preset", "good, typical or poor");
+    bind_option(app, "--lidar", "lidar.preset", "The sensor")->type_name("ls-m10p|rplidar-a1|hokuyo-utm-30lx|sick-lms");
+    bind_option(app, "--odometry", "odometry.preset", "How well the wheels measure")->type_name("good|typical|poor");
     app.add_option("--out", log_file_, "Log to write, with the truth in it")->type_name("FILE.mcap");
     app.add_option("--ground-truth", truth_file_, "True poses at the scans to write")->type_name("FILE.tum");
     app.add_option("--odometry-track", odometry_file_, "Odometry to write")->type_name("FILE.tum");

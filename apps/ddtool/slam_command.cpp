@@ -69,7 +69,8 @@ void SlamCommand::add_options(CLI::App& app) {
     app.add_option("--out", folder_, "Folder for the results; created where it is not there")
         ->type_name("DIR")
         ->required();
-    bind_option(app, "--method", "filter.method", "One of " + joined(method_names()));
+    bind_option(app, "--method", "filter.method", "What the filter does about degeneracy")
+        ->type_name(choices(method_names()));
     bind_option(app, "--detector", "filter.detector",
                 "ddmodel-lite, covariance, step-spread, neff, oracle, none or a model's file; empty: the method's own");
     bind_option(app, "--particles", "filter.particles", "Hypotheses, each with its own map");
