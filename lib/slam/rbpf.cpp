@@ -255,6 +255,13 @@ const Particle& Rbpf::best() const {
 
 Pose2 Rbpf::pose() const { return best().pose * scans_.back().motion; }
 
+Eigen::Matrix3d Rbpf::pose_covariance() const {
+    const ScanRecord& scan = scans_.back();
+    const double since_s = 1e-9 * static_cast<double>(scan.stamp_ns - stamp_at_update_ns_);
+    return predicted_covariance(last_report_.covariance, best().pose, scan.motion,
+                                strategies_.odometry->sigmas(scan.motion, std::clamp(since_s, 0.0, longest_step_s)));
+}
+
 /// Between two updates the odometry is followed, and what the second update corrected is spread over the way.
 Trajectory Rbpf::trajectory() const {
     if (particles_.empty()) {

@@ -69,6 +69,8 @@ public:
     [[nodiscard]] const Particle& best() const;
     /// world_from_robot at the latest scan, by the best particle.
     [[nodiscard]] Pose2 pose() const;
+    /// Of pose() (x, y, theta in the world): that of the last update, and what the odometry since may be wrong by.
+    [[nodiscard]] Eigen::Matrix3d pose_covariance() const;
     /// A pose for every scan so far, from the history of the best particle.
     [[nodiscard]] Trajectory trajectory() const;
     /// Of the last update but the first, which has nothing to report.

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <Eigen/Eigenvalues>
 #include <atomic>
 #include <cmath>
 #include <numeric>
@@ -189,6 +190,30 @@ TEST(Resampling, IsLeftOutWhileTheSwarmIsRich) {
         filter.process(frame);
     }
     EXPECT_EQ(filter.resamplings(), 0U);
+}
+
+TEST(PoseCovariance, GrowsWithTheOdometrySinceTheLastUpdate) {
+    ThreadPool threads(1);
+    RbpfSettings settings = few_particles();
+    settings.update_distance_m = 0.5;
+    settings.update_turn_rad = 0.5;
+    Rbpf filter(settings, threads);
+    int between = 0;
+    double before_m2 = 0.0;
+    for (const SensorFrame& frame : room_drive()) {
+        const bool moved = filter.process(frame);
+        const Eigen::Matrix3d covariance = filter.pose_covariance();
+        EXPECT_GE(covariance.selfadjointView<Eigen::Lower>().eigenvalues().minCoeff(), -1e-12);
+        EXPECT_NEAR((covariance - covariance.transpose()).norm(), 0.0, 1e-12);
+        if (!moved) {
+            EXPECT_GE(covariance.topLeftCorner<2, 2>().trace(), before_m2);
+            ++between;
+        } else if (filter.updates() > 1) {
+            EXPECT_NEAR((covariance - filter.last_report().covariance).norm(), 0.0, 1e-12);
+        }
+        before_m2 = covariance.topLeftCorner<2, 2>().trace();
+    }
+    EXPECT_GT(between, 0);
 }
 
 }  // namespace
