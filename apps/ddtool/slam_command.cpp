@@ -27,9 +27,7 @@ FilterRun run_over(DrivenScans& scans, std::unique_ptr<Rbpf> filter, const Inter
     folder.watch(*filter);
     Progress progress("slam", "scans");
     return run_filter(scans, *filter, [&](const SensorFrame& frame, bool moved) {
-        if (moved) {
-            folder.add(frame, *filter);
-        }
+        folder.add(frame, *filter, moved);
         progress.update(scans.fraction_read(), scans.summary().scans);
         return !interrupt.made();
     });

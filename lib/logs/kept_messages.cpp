@@ -9,7 +9,8 @@ namespace ddtool {
 std::optional<McapMessage> KeptMessages::next() {
     if (keeping_ || kept_.empty()) {
         const std::optional<McapMessage> message = source_->next();
-        if (keeping_ && message && kind_of(*message->channel) != MessageKind::other) {
+        if (keeping_ && message &&
+            (kind_of(*message->channel) != MessageKind::other || is_information(*message->channel))) {
             kept_.push_back({*message, {message->data.begin(), message->data.end()}});
         }
         return message;

@@ -48,6 +48,7 @@ public:
         choose_ground_truth();
         choose_odometry();
         find_mounting();
+        plan_.has_information = survey_.has_information;
         return plan_;
     }
 

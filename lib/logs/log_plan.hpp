@@ -13,6 +13,7 @@ struct LogPlan {
     std::string scan_topic;
     std::string odom_topic;  ///< empty: there is none
     std::string ground_truth_topic;
+    bool has_information = false;  ///< the simulator's, of every scan
     /// Where odometry comes from transforms: the frames whose transform it is.
     std::string odom_frame;
     std::string robot_frame;

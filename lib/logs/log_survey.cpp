@@ -16,6 +16,7 @@ public:
     void take(const McapMessage& message) {
         first_ns_ = first_ns_.value_or(message.log_time_ns);
         extent_ns_ = static_cast<double>(message.log_time_ns) - static_cast<double>(*first_ns_);
+        has_information_ = has_information_ || is_information(*message.channel);
         const MessageKind kind = kind_of(*message.channel);
         const auto [entry, is_new] = topics_.try_emplace(
             message.channel->topic, TopicSurvey{message.channel->topic, message.channel->schema.name, kind, "", ""});
@@ -37,6 +38,7 @@ public:
         for (auto& [name, topic] : topics_) {
             survey.topics.push_back(std::move(topic));
         }
+        survey.has_information = has_information_;
         survey.transforms = std::move(transforms_);
         return survey;
     }
@@ -67,6 +69,7 @@ private:
     double extent_ns_ = 0.0;
     std::map<std::string, TopicSurvey> topics_;
     TransformTree transforms_;
+    bool has_information_ = false;
 };
 
 }  // namespace

@@ -23,6 +23,7 @@ struct TopicSurvey {
 /// What the beginning of a log holds.
 struct LogSurvey {
     std::vector<TopicSurvey> topics;  ///< by name
+    bool has_information = false;     ///< is_information() is so of a channel
     TransformTree transforms;         ///< the latest of each frame
 };
 

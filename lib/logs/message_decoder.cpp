@@ -5,6 +5,7 @@
 
 #include "logs/foxglove_json.hpp"
 #include "logs/foxglove_protobuf.hpp"
+#include "logs/ros_codec.hpp"
 #include "logs/ros_readings.hpp"
 
 namespace ddtool {
@@ -106,6 +107,20 @@ std::optional<std::vector<PoseReading>> decode_poses(const McapMessage& message)
         }
     }
     return readings;
+}
+
+bool is_information(const McapChannel& channel) {
+    return channel.topic == "/fisher_information" && channel.message_encoding == "cdr" &&
+           channel.schema.name == ros::Float64MultiArray::type_name;
+}
+
+std::optional<Eigen::Matrix3d> decode_information(const McapMessage& message) {
+    const auto decoded = ros::decode_cdr<ros::Float64MultiArray>(message.data);
+    if (!decoded || decoded->data.size() != 9) {
+        return std::nullopt;
+    }
+    // Symmetric, so that the order of rows and columns does not matter.
+    return Eigen::Map<const Eigen::Matrix3d>(decoded->data.data());
 }
 
 }  // namespace ddtool

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <optional>
 #include <vector>
 
@@ -26,5 +27,11 @@ std::optional<ScanReading> decode_scan(const McapMessage& message);
 
 /// The same for the other kinds: one reading for odometry and poses, any number for transforms.
 std::optional<std::vector<PoseReading>> decode_poses(const McapMessage& message);
+
+/// Whether the channel is the simulator's /fisher_information: what each scan tells of the true pose.
+bool is_information(const McapChannel& channel);
+
+/// That information, over (x, y, theta); the log time is the scan's stamp. None when the bytes are no 3 x 3 matrix.
+std::optional<Eigen::Matrix3d> decode_information(const McapMessage& message);
 
 }  // namespace ddtool

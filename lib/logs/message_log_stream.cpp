@@ -58,6 +58,10 @@ std::optional<SensorFrame> MessageLogStream::next() {
 
 void MessageLogStream::take(const McapMessage& message) {
     const std::string& topic = message.channel->topic;
+    if (is_information(*message.channel)) {
+        take_information(message);
+        return;
+    }
     const MessageKind kind = kind_of(*message.channel);
     if (kind == MessageKind::other) {
         return;
@@ -90,6 +94,7 @@ void MessageLogStream::take_scan(const McapMessage& message) {
     const std::int64_t stamp_ns = scan.frame.scan.stamp_ns;
     scan.has_odometry = plan_.odom_topic.empty() || odometry_.contains(stamp_ns);
     scan.has_ground_truth = plan_.ground_truth_topic.empty() || ground_truth_.contains(stamp_ns);
+    scan.has_information = !plan_.has_information;
     waiting_.push_back(std::move(scan));
 }
 
@@ -125,14 +130,27 @@ void MessageLogStream::take_ground_truth(const McapMessage& message) {
     }
 }
 
+void MessageLogStream::take_information(const McapMessage& message) {
+    const std::optional<Eigen::Matrix3d> information = decode_information(message);
+    if (!information) {
+        report_message(message, "a damaged message");
+    }
+    for (WaitingScan& scan : waiting_) {
+        if (scan.frame.scan.stamp_ns == message.log_time_ns) {
+            scan.frame.fisher_information = information;
+        }
+        scan.has_information = scan.has_information || scan.frame.scan.stamp_ns <= message.log_time_ns;
+    }
+}
+
 bool MessageLogStream::is_odometry(const PoseReading& reading) const {
     return plan_.odom_frame.empty() ||
            (reading.frame_id == plan_.odom_frame && reading.child_frame_id == plan_.robot_frame);
 }
 
 bool MessageLogStream::first_is_ready() const {
-    return waiting_.size() > max_waiting ||
-           (!waiting_.empty() && waiting_.front().has_odometry && waiting_.front().has_ground_truth);
+    return waiting_.size() > max_waiting || (!waiting_.empty() && waiting_.front().has_odometry &&
+                                             waiting_.front().has_ground_truth && waiting_.front().has_information);
 }
 
 SensorFrame MessageLogStream::release_first() {

@@ -40,6 +40,7 @@ private:
         SensorFrame frame;
         bool has_odometry = false;
         bool has_ground_truth = false;
+        bool has_information = false;
     };
 
     /// Sets plan_ and source_, which then begins anew.
@@ -49,6 +50,7 @@ private:
     void take_scan(const McapMessage& message);
     void take_odometry(const McapMessage& message);
     void take_ground_truth(const McapMessage& message);
+    void take_information(const McapMessage& message);
     [[nodiscard]] bool is_odometry(const PoseReading& reading) const;
     [[nodiscard]] bool first_is_ready() const;
     SensorFrame release_first();

@@ -98,16 +98,20 @@ void ResultLog::write_report(const UpdateReport& report) {
                                 report.swarm.major_direction_rad,
                                 report.corrected_m,
                                 report.resampled ? 1U : 0U});
+}
+
+void ResultLog::add_pose(std::int64_t stamp_ns, const Rbpf& filter) {
+    const Eigen::Matrix3d covariance = filter.pose_covariance();
     ros::PoseWithCovarianceStamped pose{
-        .header = {{report.stamp_ns}, map_frame}, .pose = ros::to_pose(report.pose), .covariance = {}};
+        .header = {{stamp_ns}, map_frame}, .pose = ros::to_pose(filter.pose()), .covariance = {}};
     constexpr std::array<std::size_t, 3> places{0, 1, 5};  // x, y and the turn about z among six
     for (std::size_t row = 0; row < 3; ++row) {
         for (std::size_t column = 0; column < 3; ++column) {
             pose.covariance[6 * places[row] + places[column]] =
-                report.covariance(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(column));
+                covariance(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(column));
         }
     }
-    file_.write("/pose", report.stamp_ns, pose);
+    file_.write("/pose", stamp_ns, pose);
 }
 
 void ResultLog::write_map(std::int64_t stamp_ns, const MapRaster& map) {

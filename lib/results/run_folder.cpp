@@ -35,10 +35,13 @@ void RunFolder::watch(Rbpf& filter) {
     });
 }
 
-void RunFolder::add(const SensorFrame& frame, const Rbpf& filter) {
+void RunFolder::add(const SensorFrame& frame, const Rbpf& filter, bool moved) {
     const StageTimer timer(write_s_);
-    result_.add(frame, filter);
-    course_.add(filter);
+    if (moved) {
+        result_.add(frame, filter);
+        course_.add(filter);
+    }
+    result_.add_pose(frame.scan.stamp_ns, filter);
 }
 
 void RunFolder::finish(const FilterRun& run, const MapRaster& map) {

@@ -24,8 +24,8 @@ public:
 
     /// Connects the filter; it must not outlive the folder.
     void watch(Rbpf& filter);
-    /// After the filter has moved.
-    void add(const SensorFrame& frame, const Rbpf& filter);
+    /// After the filter has taken the frame; `moved` as Rbpf::process() says.
+    void add(const SensorFrame& frame, const Rbpf& filter, bool moved);
     /// Writes the trajectories, the map and its picture, and completes the MCAP files.
     void finish(const FilterRun& run, const MapRaster& map);
     void write_json(const std::string& name, const Json& content);

@@ -14,9 +14,9 @@ struct DetectionSettings {
     double covariance_sd_m = 0.1;  ///< threshold of the detector covariance
     /// The detector is consulted where matching is in doubt: where the match left this share of the step swarm's
     /// predicted spread, or more. Elsewhere the degree is 0. 0 consults always.
-    double doubt_share = 0.0;
+    double doubt_share = 0.3;
     /// Between two consultations the robot drives this far; the degree stays what it was.
-    double every_m = 0.0;
+    double every_m = 0.3;
 };
 
 /// The detectors by name, and by the ending of their file: rules, the network that is carried inside, networks in files.

@@ -13,8 +13,8 @@ struct FusionSettings {
     /// Odometry that is farther from the match than this many standard deviations of both counts as less sure.
     double most_deviations = 3.0;
     /// Moved by less, the scan is not judged anew.
-    double settled_m = 0.002;
-    double settled_rad = 0.001;
+    double settled_m = 0.01;
+    double settled_rad = 0.003;
 };
 
 /// The match's information about the pose without what comes from the normals' errors and, in the directions in which

@@ -1,4 +1,5 @@
 #include "dataset/description.hpp"
+#include "dataset/grouping.hpp"
 
 #include <gmock/gmock.h>
 

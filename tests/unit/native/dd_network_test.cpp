@@ -46,8 +46,7 @@ naive::Values naive_encoder(const naive::Tensors& tensors, const native::Encoder
     return naive::sum(attended, linear("feed_forward_out", hidden, row.feed_forward));
 }
 
-naive::Values naive_logits(const naive::Tensors& tensors, const native::DDModelTable& table,
-                           const naive::Map& image) {
+naive::Values naive_logits(const naive::Tensors& tensors, const native::DDModelTable& table, const naive::Map& image) {
     const naive::Map map = naive_backbone(tensors, table, image);
     const std::size_t count = map.side * map.side;
     naive::Values tokens;

@@ -27,9 +27,7 @@ FilterRun write_run(const std::filesystem::path& place, bool with_snapshots, boo
     RunFolder folder(place, with_snapshots);
     folder.watch(small.filter());
     FilterRun run = small.run([&](const SensorFrame& frame, bool moved) {
-        if (moved) {
-            folder.add(frame, small.filter());
-        }
+        folder.add(frame, small.filter(), moved);
         return true;
     });
     if (!with_truth) {

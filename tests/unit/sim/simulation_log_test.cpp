@@ -65,6 +65,8 @@ TEST(SimulationLog, ReadsBackAsTheSimulatedStream) {
         expect_near(frame->odom_from_robot, expected->odom_from_robot);
         ASSERT_TRUE(frame->world_from_robot);
         expect_near(*frame->world_from_robot, *expected->world_from_robot);
+        ASSERT_TRUE(frame->fisher_information);
+        EXPECT_EQ(*frame->fisher_information, *expected->fisher_information);
         ++count;
     }
     EXPECT_FALSE(log->next());
