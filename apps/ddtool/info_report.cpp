@@ -114,8 +114,8 @@ std::string damage_text(const LogDamage& damage) {
     if (damage.problems == 0) {
         return "damage    none\n";
     }
-    std::vector<std::string> lines{std::to_string(damage.problems) +
-                                   " problems; bytes known to be lost: " + std::to_string(damage.bytes_lost)};
+    std::vector<std::string> lines{"problems: " + std::to_string(damage.problems) +
+                                   "; bytes known to be lost: " + std::to_string(damage.bytes_lost)};
     lines.insert(lines.end(), damage.first.begin(), damage.first.end());
     return under("damage    ", lines);
 }
