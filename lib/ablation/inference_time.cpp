@@ -52,8 +52,7 @@ void make_image(ParticleRenderer& renderer, detection::Particles swarm, const Sc
 
 }  // namespace
 
-double inference_time_ms(native::DegreeModel& model, std::span<const detection::Particles> swarms,
-                         bool through_file) {
+double inference_time_ms(native::DegreeModel& model, std::span<const detection::Particles> swarms, bool through_file) {
     ParticleRenderer renderer(model.description().image);
     const ScratchFile file;
     std::vector<float> pixels(renderer.settings().size_px * renderer.settings().size_px);

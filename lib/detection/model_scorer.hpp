@@ -8,8 +8,8 @@
 namespace ddtool::detection {
 
 /// A trained network with the renderer of the images it knows: from swarms to degrees, many images at once. For the
-/// filter: native::network_detector(). One thread at a time; copies share the network. Throws UsageError where the network's image
-/// settings make no sense.
+/// filter: native::network_detector(). One thread at a time; copies share the network. Throws UsageError where the
+/// network's image settings make no sense.
 SwarmScorer scorer_of(std::shared_ptr<native::DegreeModel> model);
 
 /// The same with where the network comes from. Networks whose descriptions differ in seed, metrics and temperature

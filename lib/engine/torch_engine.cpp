@@ -68,11 +68,11 @@ public:
         const std::shared_ptr<models::Network> network = source.network();
         inference::write_torch_script(out, *network, about);
         native::write_safetensors(std::filesystem::path(out).replace_extension(".safetensors"),
-                                    inference::plain_weights(*network, about));
+                                  inference::plain_weights(*network, about));
     }
 
     [[nodiscard]] std::unique_ptr<native::DegreeModel> load(const std::filesystem::path& file,
-                                                              const learning::RunOptions& options) const override {
+                                                            const learning::RunOptions& options) const override {
         expect_device(options.device);
         if (inference::is_exported_model(file)) {
             return inference::load_torch_script(file, options);

@@ -1,8 +1,8 @@
 #pragma once
 
+#include "models/network.hpp"
 #include "native/model_description.hpp"
 #include "native/safetensors.hpp"
-#include "models/network.hpp"
 
 namespace ddtool::inference {
 

@@ -92,7 +92,7 @@ bool is_exported_model(const std::filesystem::path& path) {
 }
 
 std::unique_ptr<native::DegreeModel> load_torch_script(const std::filesystem::path& path,
-                                                         const learning::RunOptions& options) {
+                                                       const learning::RunOptions& options) {
     torch::jit::ExtraFilesMap extra{{description_file, ""}};
     torch::jit::Module module;
     try {

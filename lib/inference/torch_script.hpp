@@ -21,6 +21,6 @@ bool is_exported_model(const std::filesystem::path& path);
 /// A model that write_torch_script() wrote. Throws Error naming the file for one that is damaged or not of ddtool.
 /// TorchScript is a program: load only files you trust.
 std::unique_ptr<native::DegreeModel> load_torch_script(const std::filesystem::path& path,
-                                                         const learning::RunOptions& options);
+                                                       const learning::RunOptions& options);
 
 }  // namespace ddtool::inference

@@ -5,10 +5,10 @@
 #include <cstdint>
 #include <memory>
 
-#include "native/dd_tables.hpp"
 #include "models/encoder_layer.hpp"
 #include "models/layers.hpp"
 #include "models/network.hpp"
+#include "native/dd_tables.hpp"
 
 namespace ddtool::models {
 

@@ -19,7 +19,8 @@ struct DetectionSettings {
     double every_m = 0.3;
 };
 
-/// The detectors by name, and by the ending of their file: rules, the network that is carried inside, networks in files.
+/// The detectors by name, and by the ending of their file: rules, the network that is carried inside, networks in
+/// files.
 class DetectorTable {
 public:
     using Maker = std::function<DegeneracyDetector(const DetectionSettings& settings, const MotionNoise& noise)>;

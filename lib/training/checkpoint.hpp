@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <memory>
 
-#include "native/model_description.hpp"
 #include "models/network.hpp"
+#include "native/model_description.hpp"
 #include "training/training_state.hpp"
 
 namespace ddtool::training {

@@ -55,7 +55,7 @@ public:
         std::filesystem::copy_file(checkpoint, out, std::filesystem::copy_options::overwrite_existing);
     }
     [[nodiscard]] std::unique_ptr<native::DegreeModel> load(const std::filesystem::path& file,
-                                                              const learning::RunOptions& options) const override {
+                                                            const learning::RunOptions& options) const override {
         if (options.device != "cpu") {
             throw Error("there is no " + options.device);
         }

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "native/degree_model.hpp"
 #include "models/network.hpp"
+#include "native/degree_model.hpp"
 
 namespace ddtool::inference {
 
