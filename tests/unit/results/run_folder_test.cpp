@@ -58,7 +58,7 @@ TEST(RunFolder, KeepsTheEarlierRunWhenThisOneFails) {
     {
         test::SmallRun small;
         RunFolder again(folder / "out", true);
-        again.add({}, (small.run([](const SensorFrame&, bool) { return false; }), small.filter()));
+        again.add({}, (small.run([](const SensorFrame&, bool) { return false; }), small.filter()), true);
     }
     EXPECT_EQ(names_in(folder / "out"), before);
     EXPECT_EQ(read_file(folder / "out/result.mcap"), log);
