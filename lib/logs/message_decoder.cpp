@@ -119,8 +119,7 @@ std::optional<Eigen::Matrix3d> decode_information(const McapMessage& message) {
     if (!decoded || decoded->data.size() != 9) {
         return std::nullopt;
     }
-    // Symmetric, so that the order of rows and columns does not matter.
-    return Eigen::Map<const Eigen::Matrix3d>(decoded->data.data());
+    return Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(decoded->data.data());
 }
 
 }  // namespace ddtool

@@ -257,6 +257,9 @@ Pose2 Rbpf::pose() const { return best().pose * scans_.back().motion; }
 
 Eigen::Matrix3d Rbpf::pose_covariance() const {
     const ScanRecord& scan = scans_.back();
+    if (scan.motion == Pose2{}) {
+        return last_report_.covariance;
+    }
     const double since_s = 1e-9 * static_cast<double>(scan.stamp_ns - stamp_at_update_ns_);
     return predicted_covariance(last_report_.covariance, best().pose, scan.motion,
                                 strategies_.odometry->sigmas(scan.motion, std::clamp(since_s, 0.0, longest_step_s)));
