@@ -42,35 +42,8 @@ BagReader::BagReader(std::filesystem::path path, LogProblemHandler on_problem)
     : path_(std::move(path)), section_(ByteSource(path_), std::move(on_problem)) {}
 
 std::optional<McapMessage> BagReader::next() {
-    for (;;) {
-        while (!records_.bytes.empty()) {
-            if (auto message = take_record()) {
-                return message;
-            }
-        }
-        const auto records = section_.next();
-        if (!records) {
-            return std::nullopt;
-        }
-        records_ = *records;
-    }
-}
-
-std::optional<McapMessage> BagReader::take_record() {
-    // Nothing is left unless the record is seen to end: one that does not loses all after it.
-    const auto before = std::exchange(records_.bytes, {});
-    try {
-        McapFieldReader fields(before);
-        const auto [header, data] = take_bag_record(fields);
-        records_.bytes = fields.rest();
-        return interpret(BagFields(header), data);
-    } catch (const Error& error) {
-        if (!records_.cut_off || !records_.bytes.empty()) {
-            section_.report(records_.offset, std::string("record is skipped: ") + error.what(),
-                            before.size() - records_.bytes.size());
-        }
-        return std::nullopt;
-    }
+    return records_.next(section_, take_bag_record,
+                         [this](const BagRecord& record) { return interpret(BagFields(record.header), record.data); });
 }
 
 std::optional<McapMessage> BagReader::interpret(const BagFields& header, std::span<const std::byte> data) {
@@ -90,7 +63,7 @@ std::optional<McapMessage> BagReader::message_of(const BagFields& header, std::s
     message.log_time_ns = header.time_ns("time");
     message.publish_time_ns = message.log_time_ns;
     message.data = data;
-    message.file_offset = records_.offset;
+    message.file_offset = records_.offset();
     if (message.channel != nullptr) {
         return message;
     }

@@ -26,7 +26,6 @@ public:
     [[nodiscard]] double fraction_read() const override { return section_.fraction_read(); }
 
 private:
-    std::optional<McapMessage> take_record();
     std::optional<McapMessage> interpret(const BagFields& header, std::span<const std::byte> data);
     std::optional<McapMessage> message_of(const BagFields& header, std::span<const std::byte> data);
     const McapChannel* find_channel(std::uint32_t connection);
@@ -34,7 +33,7 @@ private:
 
     std::filesystem::path path_;
     BagSection section_;
-    BagRecords records_;  ///< not yet taken
+    LogRecordWalk<BagSection> records_;
     std::map<std::uint32_t, McapChannel> channels_;
     std::set<std::uint32_t> undefined_;
     bool index_read_ = false;

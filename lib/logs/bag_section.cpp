@@ -47,8 +47,8 @@ BagSection::BagSection(ByteSource source, LogProblemHandler on_problem)
     check_magic(source_);
 }
 
-std::optional<BagRecords> BagSection::next() {
-    std::optional<BagRecords> records;
+std::optional<LogRecords> BagSection::next() {
+    std::optional<LogRecords> records;
     while (!ended_ && !records) {
         offset_ = source_.offset();
         if (const auto data_length = read_header()) {
@@ -87,7 +87,7 @@ std::optional<std::uint32_t> BagSection::read_header() {
     return data_length;
 }
 
-std::optional<BagRecords> BagSection::read_record(std::uint32_t data_length) {
+std::optional<LogRecords> BagSection::read_record(std::uint32_t data_length) {
     const std::uint64_t end = source_.offset() + data_length;
     try {
         return interpret({BagFields(header_), data_length});
@@ -98,7 +98,7 @@ std::optional<BagRecords> BagSection::read_record(std::uint32_t data_length) {
     }
 }
 
-std::optional<BagRecords> BagSection::interpret(const Record& record) {
+std::optional<LogRecords> BagSection::interpret(const Record& record) {
     switch (record.header.opcode()) {
         case BagOpcode::message:
         case BagOpcode::connection:
@@ -115,7 +115,7 @@ std::optional<BagRecords> BagSection::interpret(const Record& record) {
     return std::nullopt;
 }
 
-std::optional<BagRecords> BagSection::read_single(const Record& record) {
+std::optional<LogRecords> BagSection::read_single(const Record& record) {
     McapFieldWriter whole;
     whole.put_array(header_).put(record.length);
     stored_.assign(whole.bytes().begin(), whole.bytes().end());
@@ -123,10 +123,10 @@ std::optional<BagRecords> BagSection::read_single(const Record& record) {
         report_cut_off();
         return std::nullopt;
     }
-    return BagRecords{stored_, offset_, false};
+    return LogRecords{stored_, offset_, false};
 }
 
-std::optional<BagRecords> BagSection::read_chunk(const Record& record) {
+std::optional<LogRecords> BagSection::read_chunk(const Record& record) {
     const std::string& compression = record.header.text("compression");
     const auto size = record.header.number<std::uint32_t>("size");
     if (size == 0 && record.length == 0) {
@@ -145,10 +145,10 @@ std::optional<BagRecords> BagSection::read_chunk(const Record& record) {
     if (!failure.empty() && !cut_off) {
         throw Error("its chunk: " + failure);
     }
-    return BagRecords{records, offset_, cut_off};
+    return LogRecords{records, offset_, cut_off};
 }
 
-std::optional<BagRecords> BagSection::read_open_chunk(const std::string& compression) {
+std::optional<LogRecords> BagSection::read_open_chunk(const std::string& compression) {
     if (compression_of(compression) == Compression::none) {
         return std::nullopt;
     }
@@ -157,7 +157,7 @@ std::optional<BagRecords> BagSection::read_open_chunk(const std::string& compres
     source_.append_to(stored_, max_chunk_bytes);
     check_end();
     const auto records = decompress(compression_of(compression), stored_, max_chunk_bytes, decompressed_).records;
-    return BagRecords{records, offset_, true};
+    return LogRecords{records, offset_, true};
 }
 
 void BagSection::pass_over(const Record& record) {

@@ -10,15 +10,9 @@
 #include "logs/bag_fields.hpp"
 #include "logs/byte_source.hpp"
 #include "logs/log_problem.hpp"
+#include "logs/log_records.hpp"
 
 namespace ddtool {
-
-/// Connection and message records that lie together in a bag: those of a chunk, or one that lies outside of chunks.
-struct BagRecords {
-    std::span<const std::byte> bytes;  ///< valid until the next are read
-    std::uint64_t offset = 0;          ///< in the file, of the chunk or record
-    bool cut_off = false;              ///< the last record may be incomplete, which has been reported
-};
 
 /// Walks over the records of a bag itself, without its index. The last chunk of a bag that was never closed declares no
 /// length: its records follow on it.
@@ -28,7 +22,7 @@ public:
     BagSection(ByteSource source, LogProblemHandler on_problem);
 
     /// The next records; none at the end.
-    std::optional<BagRecords> next();
+    std::optional<LogRecords> next();
     void report(std::uint64_t offset, const std::string& what, std::uint64_t bytes_lost);
     /// Where the index begins, which repeats all connections; 0 while unknown.
     [[nodiscard]] std::uint64_t index_offset() const { return index_offset_; }
@@ -43,11 +37,11 @@ private:
     std::optional<std::uint32_t> read_length();
     /// Into header_; the length of the data behind it.
     std::optional<std::uint32_t> read_header();
-    std::optional<BagRecords> read_record(std::uint32_t data_length);
-    std::optional<BagRecords> interpret(const Record& record);
-    std::optional<BagRecords> read_single(const Record& record);
-    std::optional<BagRecords> read_chunk(const Record& record);
-    std::optional<BagRecords> read_open_chunk(const std::string& compression);
+    std::optional<LogRecords> read_record(std::uint32_t data_length);
+    std::optional<LogRecords> interpret(const Record& record);
+    std::optional<LogRecords> read_single(const Record& record);
+    std::optional<LogRecords> read_chunk(const Record& record);
+    std::optional<LogRecords> read_open_chunk(const std::string& compression);
     void pass_over(const Record& record);
     void check_end();
     void give_up_at_header(std::uint32_t length);

@@ -38,8 +38,8 @@ McapDataSection::McapDataSection(ByteSource source, LogProblemHandler on_problem
     check_magic(source_);
 }
 
-std::optional<McapRecords> McapDataSection::next() {
-    std::optional<McapRecords> records;
+std::optional<LogRecords> McapDataSection::next() {
+    std::optional<LogRecords> records;
     while (!ended_ && !records) {
         offset_ = source_.offset();
         if (const auto record = read_record_header()) {
@@ -73,7 +73,7 @@ std::optional<McapDataSection::Record> McapDataSection::read_record_header() {
     return std::nullopt;
 }
 
-std::optional<McapRecords> McapDataSection::read_record(const Record& record) {
+std::optional<LogRecords> McapDataSection::read_record(const Record& record) {
     switch (record.opcode) {
         case McapOpcode::schema:
         case McapOpcode::channel:
@@ -96,7 +96,7 @@ std::optional<McapRecords> McapDataSection::read_record(const Record& record) {
     return std::nullopt;
 }
 
-std::optional<McapRecords> McapDataSection::read_held(const Record& record) {
+std::optional<LogRecords> McapDataSection::read_held(const Record& record) {
     if (record.length > mcap_max_held_bytes) {
         refuse(record, "at most " + std::to_string(mcap_max_held_bytes));
         return std::nullopt;
@@ -104,16 +104,16 @@ std::optional<McapRecords> McapDataSection::read_held(const Record& record) {
     return record.opcode == McapOpcode::chunk ? read_chunk(record) : read_single(record);
 }
 
-std::optional<McapRecords> McapDataSection::read_chunk(const Record& record) {
+std::optional<LogRecords> McapDataSection::read_chunk(const Record& record) {
     const McapChunk chunk = chunks_.read(source_, record.length);
     if (!chunk.problem.empty()) {
         report(chunk.problem, chunk.bytes_lost);
     }
     ended_ = chunk.cut_off;
-    return McapRecords{chunk.records, offset_, chunk.cut_off};
+    return LogRecords{chunk.records, offset_, chunk.cut_off};
 }
 
-std::optional<McapRecords> McapDataSection::read_single(const Record& record) {
+std::optional<LogRecords> McapDataSection::read_single(const Record& record) {
     McapFieldWriter header;
     header.put_record_header(record.opcode, record.length);
     single_.assign(header.bytes().begin(), header.bytes().end());
@@ -122,7 +122,7 @@ std::optional<McapRecords> McapDataSection::read_single(const Record& record) {
         report_cut_off(record, count);
         return std::nullopt;
     }
-    return McapRecords{single_, offset_, false};
+    return LogRecords{single_, offset_, false};
 }
 
 void McapDataSection::pass_over(const Record& record) {

@@ -9,18 +9,11 @@
 
 #include "logs/byte_source.hpp"
 #include "logs/log_problem.hpp"
+#include "logs/log_records.hpp"
 #include "logs/mcap_chunk.hpp"
 #include "logs/mcap_format.hpp"
 
 namespace ddtool {
-
-/// Schema, Channel and Message records (among others that are of no interest) that lie together in the file: those of a
-/// chunk, or one that lies outside of chunks.
-struct McapRecords {
-    std::span<const std::byte> bytes;  ///< valid until the next are read
-    std::uint64_t offset = 0;          ///< in the file, of the chunk or record
-    bool cut_off = false;              ///< the last record may be incomplete, which has been reported
-};
 
 /// Walks over the records of the file itself, from the magic at its start to the one at its end, and checks all that
 /// is checked by length or CRC. Reports every problem, with the place.
@@ -30,7 +23,7 @@ public:
     McapDataSection(ByteSource source, LogProblemHandler on_problem);
 
     /// The next records; none at the end.
-    std::optional<McapRecords> next();
+    std::optional<LogRecords> next();
     /// Reports a problem of the records at `offset`.
     void report(std::uint64_t offset, const std::string& what, std::uint64_t bytes_lost);
     [[nodiscard]] double fraction_read() const { return source_.fraction_read(); }
@@ -44,10 +37,10 @@ private:
     static std::string name_of(const Record& record);
 
     std::optional<Record> read_record_header();
-    std::optional<McapRecords> read_record(const Record& record);
-    std::optional<McapRecords> read_held(const Record& record);
-    std::optional<McapRecords> read_chunk(const Record& record);
-    std::optional<McapRecords> read_single(const Record& record);
+    std::optional<LogRecords> read_record(const Record& record);
+    std::optional<LogRecords> read_held(const Record& record);
+    std::optional<LogRecords> read_chunk(const Record& record);
+    std::optional<LogRecords> read_single(const Record& record);
     void pass_over(const Record& record);
     void refuse(const Record& record, const std::string& expected_length);
     void check_data_end(const Record& record);

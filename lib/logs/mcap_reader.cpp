@@ -7,6 +7,19 @@
 #include "logs/mcap_fields.hpp"
 
 namespace ddtool {
+namespace {
+
+struct McapRecord {
+    McapOpcode opcode;
+    std::span<const std::byte> content;
+};
+
+McapRecord take_mcap_record(McapFieldReader& fields) {
+    const McapOpcode opcode{fields.take<std::uint8_t>()};
+    return {opcode, fields.take_bytes(fields.take<std::uint64_t>())};
+}
+
+}  // namespace
 
 McapReader::McapReader(ByteSource source, LogProblemHandler on_problem)
     : section_(std::move(source), std::move(on_problem)) {}
@@ -15,36 +28,8 @@ McapReader::McapReader(const std::filesystem::path& path, LogProblemHandler on_p
     : McapReader(ByteSource(path), std::move(on_problem)) {}
 
 std::optional<McapMessage> McapReader::next() {
-    for (;;) {
-        while (!records_.bytes.empty()) {
-            if (auto message = take_record()) {
-                return message;
-            }
-        }
-        const auto records = section_.next();
-        if (!records) {
-            return std::nullopt;
-        }
-        records_ = *records;
-    }
-}
-
-std::optional<McapMessage> McapReader::take_record() {
-    // Nothing is left unless the record is seen to end: one that does not loses all after it.
-    const auto before = std::exchange(records_.bytes, {});
-    try {
-        McapFieldReader fields(before);
-        const auto opcode = fields.take<std::uint8_t>();
-        const auto content = fields.take_bytes(fields.take<std::uint64_t>());
-        records_.bytes = fields.rest();
-        return interpret(McapOpcode{opcode}, content);
-    } catch (const Error& error) {
-        if (!records_.cut_off || !records_.bytes.empty()) {
-            section_.report(records_.offset, std::string("record is skipped: ") + error.what(),
-                            before.size() - records_.bytes.size());
-        }
-        return std::nullopt;
-    }
+    return records_.next(section_, take_mcap_record,
+                         [this](const McapRecord& record) { return interpret(record.opcode, record.content); });
 }
 
 std::optional<McapMessage> McapReader::interpret(McapOpcode opcode, std::span<const std::byte> content) {
@@ -72,7 +57,7 @@ std::optional<McapMessage> McapReader::message_of(std::span<const std::byte> con
     message.log_time_ns = static_cast<std::int64_t>(fields.take<std::uint64_t>());
     message.publish_time_ns = static_cast<std::int64_t>(fields.take<std::uint64_t>());
     message.data = fields.rest();
-    message.file_offset = records_.offset;
+    message.file_offset = records_.offset();
     if (message.channel != nullptr) {
         return message;
     }

@@ -32,12 +32,11 @@ public:
     [[nodiscard]] double fraction_read() const { return section_.fraction_read(); }
 
 private:
-    std::optional<McapMessage> take_record();
     std::optional<McapMessage> interpret(McapOpcode opcode, std::span<const std::byte> content);
     std::optional<McapMessage> message_of(std::span<const std::byte> content);
 
     McapDataSection section_;
-    McapRecords records_;  ///< not yet taken
+    LogRecordWalk<McapDataSection> records_;
     McapDefinitions definitions_;
     std::set<std::uint16_t> undefined_channels_;
 };

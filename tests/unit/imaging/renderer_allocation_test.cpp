@@ -1,26 +1,8 @@
 #include <gtest/gtest.h>
 
-#include <atomic>
-#include <cstdlib>
-#include <new>
-
+#include "counted_allocations.hpp"
 #include "imaging/particle_renderer.hpp"
 #include "swarms.hpp"
-
-namespace {
-std::atomic<int> allocations{0};
-}  // namespace
-
-// Not inline: GCC would take one half of a pair for a mismatch with the other.
-[[gnu::noinline]] void* operator new(std::size_t size) {
-    ++allocations;
-    if (void* const memory = std::malloc(size)) {
-        return memory;
-    }
-    throw std::bad_alloc();
-}
-[[gnu::noinline]] void operator delete(void* memory) noexcept { std::free(memory); }
-[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 
 namespace ddtool {
 namespace {
@@ -32,10 +14,10 @@ TEST(ParticleRenderer, AllocatesNothingOnceItHasDrawnAsManyParticles) {
         ParticleRenderer renderer({.swarm = swarm});
         ParticleImage image;
         renderer.render(many, image);
-        const int before = allocations;
+        const int before = test::allocations;
         renderer.render(few, image);
         renderer.render(many, image);
-        EXPECT_EQ(allocations - before, 0);
+        EXPECT_EQ(test::allocations - before, 0);
     }
 }
 
