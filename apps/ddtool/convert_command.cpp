@@ -6,6 +6,7 @@
 #include "base/progress.hpp"
 #include "log_options.hpp"
 #include "logs/frame_writer.hpp"
+#include "slam_report.hpp"
 
 namespace ddtool {
 namespace {
@@ -25,6 +26,10 @@ std::string result_text(const LogSummary& summary, const std::string& output) {
            "\n";
 }
 
+Json result_json(const std::string& input, const LogSummary& summary, const std::string& output) {
+    return {{"command", "convert"}, {"log", log_report(input, summary)}, {"files", {{"log", output}}}};
+}
+
 }  // namespace
 
 ConvertCommand::ConvertCommand()
@@ -37,6 +42,7 @@ void ConvertCommand::add_options(CLI::App& app) {
     for (const auto& [option, path, help] : log_option_table) {
         bind_option(app, option, path, help);
     }
+    app.add_flag("--json", as_json_, "Print JSON instead of a line");
 }
 
 Json ConvertCommand::default_settings() const { return {{"log", default_log_settings()}}; }
@@ -52,8 +58,9 @@ ExitCode ConvertCommand::run(const Json& settings) {
         progress.update(stream->fraction_read(), stream->summary().scans);
     }
     writer.close();
-    std::cout << result_text(stream->summary(), output_);
-    return report.finish(stream->summary());
+    const LogSummary& summary = stream->summary();
+    std::cout << (as_json_ ? result_json(input_, summary, output_).dump(2) + "\n" : result_text(summary, output_));
+    return report.finish(summary);
 }
 
 }  // namespace ddtool

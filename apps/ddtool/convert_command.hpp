@@ -19,6 +19,7 @@ protected:
 private:
     std::string input_;
     std::string output_;
+    bool as_json_ = false;
 };
 
 }  // namespace ddtool

@@ -1,5 +1,7 @@
 #include "export_command.hpp"
 
+#include <iostream>
+
 #include "base/log.hpp"
 #include "learning/engine.hpp"
 
@@ -14,11 +16,18 @@ void ExportCommand::add_options(CLI::App& app) {
     app.add_option("--out", out_, "The model, MODEL.pt; plain weights go to MODEL.safetensors")
         ->type_name("FILE")
         ->required();
+    app.add_flag("--json", as_json_, "Print JSON: what was written where");
 }
 
 ExitCode ExportCommand::run(const Json&) {
     learning::engine().export_model(checkpoint_, out_);
     log_info("wrote " + out_);
+    if (as_json_) {
+        const Json report{{"command", "export"},
+                          {"checkpoint", checkpoint_},
+                          {"files", {{"torch_script", out_}, {"plain_weights", learning::plain_weights_beside(out_)}}}};
+        std::cout << report.dump(2) << '\n';
+    }
     return ExitCode::done;
 }
 

@@ -18,6 +18,7 @@ protected:
 private:
     std::string checkpoint_;
     std::string out_;
+    bool as_json_ = false;
 };
 
 }  // namespace ddtool

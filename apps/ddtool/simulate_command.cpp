@@ -13,10 +13,14 @@
 namespace ddtool {
 namespace {
 
-void print_worlds() {
+void print_worlds(bool as_json) {
     Table table({{"world"}, {"what"}});
     for (const sim::WorldEntry& entry : sim::list_worlds()) {
         table.add_row({entry.name, entry.description});
+    }
+    if (as_json) {
+        std::cout << Json{{"worlds", table.json()}}.dump(2) << '\n';
+        return;
     }
     std::cout << table.text()
               << "With -textured behind it, any of them has doors, skirting, pillars and rough outlines.\n"
@@ -39,14 +43,14 @@ Trajectory truth_at_scans(const sim::Simulation& simulation) {
     return truth;
 }
 
-void print_summary(const sim::World& world, const sim::Simulation& simulation) {
+Table summary_table(const sim::World& world, const sim::Simulation& simulation) {
     const Trajectory& truth = simulation.truth();
     const Pose2 true_end = between(truth.front().pose, truth.back().pose);
     Table table({{"world"}, {"scans"}, {"duration_s", 1}, {"path_m", 1}, {"odometry_end_error_m"}});
     table.add_row({world.name, static_cast<std::int64_t>(simulation.frame_count()),
                    1e-9 * static_cast<double>(truth.back().stamp_ns - truth.front().stamp_ns), path_length_m(truth),
                    distance_m(true_end, simulation.odometry().back().pose)});
-    std::cout << table.text();
+    return table;
 }
 
 }  // namespace
@@ -64,14 +68,29 @@ void SimulateCommand::add_options(CLI::App& app) {
     app.add_option("--ground-truth", truth_file_, "True poses at the scans to write")->type_name("FILE.tum");
     app.add_option("--odometry-track", odometry_file_, "Odometry to write")->type_name("FILE.tum");
     app.add_option("--png", picture_file_, "Picture of the world and the driven way to write")->type_name("FILE.png");
+    app.add_flag("--json", as_json_, "Print JSON instead of a table");
 }
 
 Json SimulateCommand::default_settings() const { return sim::default_simulation_json(); }
 
+Json SimulateCommand::files() const {
+    Json files = Json::object();
+    const auto add = [&files](const char* content, const std::string& file) {
+        if (!file.empty()) {
+            files[content] = file;
+        }
+    };
+    add("log", log_file_);
+    add("ground_truth", truth_file_);
+    add("odometry", odometry_file_);
+    add("picture", picture_file_);
+    return files;
+}
+
 ExitCode SimulateCommand::run(const Json& settings) {
     const std::string name = settings.at("world");
     if (name == "list") {
-        print_worlds();
+        print_worlds(as_json_);
         return ExitCode::done;
     }
     const sim::World world = sim::load_world(name);
@@ -88,7 +107,17 @@ ExitCode SimulateCommand::run(const Json& settings) {
     if (!log_file_.empty()) {
         write_log(simulation, log_file_);
     }
-    print_summary(world, simulation);
+    const Table summary = summary_table(world, simulation);
+    if (as_json_) {
+        std::cout << Json{{"command", "simulate"},
+                          {"settings", settings},
+                          {"drive", summary.json().at(0)},
+                          {"files", files()}}
+                         .dump(2)
+                  << '\n';
+    } else {
+        std::cout << summary.text();
+    }
     return ExitCode::done;
 }
 

@@ -17,10 +17,14 @@ protected:
     ExitCode run(const Json& settings) override;
 
 private:
+    /// The files asked for, by what is in them.
+    [[nodiscard]] Json files() const;
+
     std::string log_file_;
     std::string picture_file_;
     std::string truth_file_;
     std::string odometry_file_;
+    bool as_json_ = false;
 };
 
 }  // namespace ddtool

@@ -70,7 +70,8 @@ void SlamCommand::add_options(CLI::App& app) {
     bind_option(app, "--method", "filter.method", "What the filter does about degeneracy")
         ->type_name(choices(method_names()));
     bind_option(app, "--detector", "filter.detector",
-                "ddmodel-lite, covariance, step-spread, neff, oracle, none or a model's file; empty: the method's own");
+                "What tells the degree, or a model's file; empty: the method's own")
+        ->type_name(choices(all_detectors().names()) + "|FILE");
     bind_option(app, "--particles", "filter.particles", "Hypotheses, each with its own map");
     bind_option(app, "--seed", "filter.seed", "Of all chance: the same seed gives the same result");
     app.add_option("--threads", threads_, "0: every core; the result does not depend on it")

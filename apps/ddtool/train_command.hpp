@@ -19,6 +19,7 @@ protected:
 
 private:
     learning::TrainRequest request_;
+    bool as_json_ = false;
 };
 
 }  // namespace ddtool

@@ -43,6 +43,14 @@ Table result_table(const learning::TrainResult& result) {
     return table;
 }
 
+Json result_json(const learning::TrainRequest& request, const learning::TrainResult& result) {
+    return {{"command", "train"},
+            {"settings", request.settings},
+            {"epochs", result.epochs},
+            {"best_epoch", result.best_epoch},
+            {"files", {{"checkpoint", result.best}, {"folder", request.out}}}};
+}
+
 bool write_train_page(const learning::Engine& engine, const learning::TrainRequest& request,
                       const learning::TrainResult& result) {
     return html::write_page(request.out / "report.html", [&] { return train_page(engine, request, result); });

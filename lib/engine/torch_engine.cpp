@@ -67,8 +67,7 @@ public:
         const native::ModelDescription about = source.description();
         const std::shared_ptr<models::Network> network = source.network();
         inference::write_torch_script(out, *network, about);
-        native::write_safetensors(std::filesystem::path(out).replace_extension(".safetensors"),
-                                  inference::plain_weights(*network, about));
+        native::write_safetensors(learning::plain_weights_beside(out), inference::plain_weights(*network, about));
     }
 
     [[nodiscard]] std::unique_ptr<native::DegreeModel> load(const std::filesystem::path& file,

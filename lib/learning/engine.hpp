@@ -35,6 +35,11 @@ struct RunOptions {
     std::size_t threads = 1;
 };
 
+/// Where the plain weights of the exported model go.
+inline std::filesystem::path plain_weights_beside(std::filesystem::path model) {
+    return model.replace_extension(".safetensors");
+}
+
 /// All that needs LibTorch. LibTorch costs half a second and 160 MB at a program's start, which commands that do
 /// without it should not pay; so it stands in a program of its own, ddtool-torch (docs/architecture.md).
 class Engine {
@@ -43,8 +48,8 @@ public:
     /// Names of the networks that can be trained.
     [[nodiscard]] virtual std::vector<std::string> networks() const = 0;
     virtual TrainResult train(const TrainRequest& request) const = 0;
-    /// Writes the checkpoint's network as TorchScript, with its description inside, and its plain weights beside it
-    /// (docs/formats/model.md).
+    /// Writes the checkpoint's network as TorchScript, with its description inside, and its plain weights to
+    /// plain_weights_beside(out) (docs/formats/model.md).
     virtual void export_model(const std::filesystem::path& checkpoint, const std::filesystem::path& out) const = 0;
     /// An exported model, or a checkpoint. Throws Error naming the file and what is wrong with it.
     [[nodiscard]] virtual std::unique_ptr<native::DegreeModel> load(const std::filesystem::path& file,

@@ -29,6 +29,14 @@ DetectorTable::DetectorTable()
       file_kinds_{{".safetensors",
                    [](const std::string& file) { return native::network_detector(native::load_model(std::filesystem::path(file))); }}} {}
 
+std::vector<std::string> DetectorTable::names() const {
+    std::vector<std::string> names;
+    for (const auto& [name, maker] : makers_) {
+        names.push_back(name);
+    }
+    return names;
+}
+
 DegeneracyDetector DetectorTable::make(const std::string& name, const DetectionSettings& settings,
                                        const MotionNoise& noise) const {
     if (const auto found = makers_.find(name); found != makers_.end()) {
@@ -36,14 +44,11 @@ DegeneracyDetector DetectorTable::make(const std::string& name, const DetectionS
     }
     const auto kind = file_kinds_.find(std::filesystem::path(name).extension().string());
     if (kind == file_kinds_.end()) {
-        std::vector<std::string> names;
-        for (const auto& [known, maker] : makers_) {
-            names.push_back(known);
-        }
+        std::vector<std::string> expected = names();
         for (const auto& [ending, maker] : file_kinds_) {
-            names.push_back("a file *" + ending);
+            expected.push_back("a file *" + ending);
         }
-        throw UsageError("filter.detector: expected " + joined(names) + ", not '" + name + "'");
+        throw UsageError("filter.detector: expected " + joined(expected) + ", not '" + name + "'");
     }
     return consulted_in_doubt(kind->second(name), settings);
 }

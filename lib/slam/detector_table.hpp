@@ -32,6 +32,8 @@ public:
     /// Makes detectors of files that end so, such as ".pt".
     void add_file_kind(const std::string& ending, FileMaker maker) { file_kinds_[ending] = std::move(maker); }
 
+    /// Without the files.
+    [[nodiscard]] std::vector<std::string> names() const;
     /// An empty function for "none". Throws UsageError for a name that is none of these.
     [[nodiscard]] DegeneracyDetector make(const std::string& name, const DetectionSettings& settings,
                                           const MotionNoise& noise) const;
