@@ -13,6 +13,17 @@
 namespace ddtool {
 namespace {
 
+/// Those that go by one word; a drawn world has a seed in its name.
+std::vector<std::string> plain_world_names() {
+    std::vector<std::string> names;
+    for (const sim::WorldEntry& entry : sim::list_worlds()) {
+        if (entry.name.find(':') == std::string::npos) {
+            names.push_back(entry.name);
+        }
+    }
+    return names;
+}
+
 void print_worlds(bool as_json) {
     Table table({{"world"}, {"what"}});
     for (const sim::WorldEntry& entry : sim::list_worlds()) {
@@ -60,7 +71,8 @@ SimulateCommand::SimulateCommand()
               "ddtool simulate --world s2 --seed 1 --out s2.mcap --png s2.png") {}
 
 void SimulateCommand::add_options(CLI::App& app) {
-    bind_option(app, "--world", "world", "A built-in or drawn world, or FILE.json; 'list' describes them");
+    bind_option(app, "--world", "world", "The world, also one drawn by a seed; 'list' describes them")
+        ->type_name(choices(plain_world_names()) + "|list|FILE.json");
     bind_option(app, "--seed", "seed", "Of the sensors' noise; the way driven is the same for all");
     bind_option(app, "--lidar", "lidar.preset", "The sensor")->type_name("ls-m10p|rplidar-a1|hokuyo-utm-30lx|sick-lms");
     bind_option(app, "--odometry", "odometry.preset", "How well the wheels measure")->type_name("good|typical|poor");
