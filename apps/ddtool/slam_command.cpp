@@ -12,6 +12,8 @@
 #include "results/run_folder.hpp"
 #include "results/run_page.hpp"
 #include "results/run_report.hpp"
+#include "serve/live_run.hpp"
+#include "serve/live_server.hpp"
 #include "slam/driven_scans.hpp"
 #include "slam/settings_json.hpp"
 #include "slam_report.hpp"
@@ -21,13 +23,26 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+/// What --serve offers.
+struct Served {
+    Served(const std::string& address, std::uint16_t port) : server(address, port) {
+        log_info("serving the run at ws://" + server.place() + " (Foxglove WebSocket)");
+    }
+
+    LiveServer server;
+    LiveRun run{server};
+};
+
 /// The filter's particles end here, so that their memory can be given back before the pictures are drawn.
 FilterRun run_over(DrivenScans& scans, std::unique_ptr<Rbpf> filter, const InterruptRequest& interrupt,
-                   RunFolder& folder) {
+                   RunFolder& folder, Served* served) {
     folder.watch(*filter);
     Progress progress("slam", "scans");
     return run_filter(scans, *filter, [&](const SensorFrame& frame, bool moved) {
         folder.add(frame, *filter, moved);
+        if (served != nullptr) {
+            served->run.add(frame, *filter, moved);
+        }
         progress.update(scans.fraction_read(), scans.summary().scans);
         return !interrupt.made();
     });
@@ -80,6 +95,17 @@ void SlamCommand::add_options(CLI::App& app) {
     for (const auto& [option, path, help] : log_option_table) {
         bind_option(app, option, path, help);
     }
+    serve_ = app.add_option("--serve", port_,
+                            "Show the run as it goes on to Foxglove or Lichtblick, at this port (0: any that is free); "
+                            "after the end of the log the map stays to be seen until Ctrl-C")
+                 ->expected(0, 1)
+                 ->type_name("PORT")
+                 ->capture_default_str();
+    app.add_option("--serve-address", address_,
+                   "This machine's address that others may connect to; 127.0.0.1 is for itself alone, 0.0.0.0 all")
+        ->type_name("ADDRESS")
+        ->needs(serve_)
+        ->capture_default_str();
     app.add_flag("--snapshots", with_snapshots_, "Write snapshots.mcap, too: the particles before each resampling");
     app.add_flag("--json", as_json_, "Print run.json instead of a summary");
 }
@@ -107,16 +133,20 @@ ExitCode SlamCommand::run(const Json& settings) {
     ThreadPool threads(threads_);
     // Before the log is opened: a detector that needs LibTorch starts the command anew.
     std::unique_ptr<Rbpf> filter = make_filter(filter_settings, all_detectors(), threads);
+    const auto served = serve_->count() > 0 ? std::make_unique<Served>(address_, port_) : nullptr;
     LogReport problems;
     const InterruptRequest interrupt;
     DrivenScans scans(open(log_options(settings.at("log")), interrupt, problems), filter_settings.rbpf);
     RunFolder folder(folder_, with_snapshots_);
-    const FilterRun result = run_over(scans, std::move(filter), interrupt, folder);
+    const FilterRun result = run_over(scans, std::move(filter), interrupt, folder, served.get());
     return_freed_memory();  // the particles' maps, before pictures are drawn
     if (result.trajectory.empty()) {
         throw Error(log_file_ + ": no scans that can be used");
     }
     const MapRaster map = map_raster(result.map);
+    if (served) {
+        served->run.finish(map, result.trajectory);
+    }
     folder.finish(result, map);
     folder.write_json("config.json", settings);
     Json run = run_report(result, map);
@@ -139,6 +169,11 @@ ExitCode SlamCommand::run(const Json& settings) {
     std::cout << (as_json_ ? report.dump(2) + "\n" : slam_summary(report, folder_, folder.files()));
     const ExitCode log_loss = problems.finish(scans.summary());
     std::for_each(losses.begin(), losses.end(), log_warning);
+    if (served && !interrupt.made()) {
+        log_info("the run is over; its map is served until Ctrl-C");
+        std::cout.flush();
+        interrupt.wait();
+    }
     return losses.empty() && has_page ? log_loss : ExitCode::done_with_loss;
 }
 

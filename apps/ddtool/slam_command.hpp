@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <string>
 
@@ -30,6 +31,9 @@ private:
     std::size_t threads_ = 0;
     bool with_snapshots_ = false;
     bool as_json_ = false;
+    CLI::Option* serve_ = nullptr;
+    std::uint16_t port_ = 8765;
+    std::string address_ = "127.0.0.1";
 };
 
 }  // namespace ddtool

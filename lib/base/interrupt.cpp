@@ -1,7 +1,9 @@
 #include "base/interrupt.hpp"
 
 #include <atomic>
+#include <chrono>
 #include <csignal>
+#include <thread>
 
 namespace ddtool {
 namespace {
@@ -30,5 +32,11 @@ InterruptRequest::InterruptRequest() {
 InterruptRequest::~InterruptRequest() { set_handlers(SIG_DFL); }
 
 bool InterruptRequest::made() const { return requested; }
+
+void InterruptRequest::wait() const {
+    while (!made()) {  // a signal handler may wake no thread
+        std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    }
+}
 
 }  // namespace ddtool

@@ -12,6 +12,8 @@ public:
     InterruptRequest& operator=(const InterruptRequest&) = delete;
 
     [[nodiscard]] bool made() const;
+    /// Returns when it is made.
+    void wait() const;
 };
 
 }  // namespace ddtool

@@ -22,6 +22,11 @@ McapWriterOptions Ros2Writer::options() {
     return options;
 }
 
+void Ros2Writer::put(const std::string& topic, const char* type_name, std::int64_t stamp_ns,
+                     std::span<const std::byte> data) {
+    file_.write(channel(topic, type_name), stamp_ns, data);
+}
+
 std::uint16_t Ros2Writer::channel(const std::string& topic, const char* type_name) {
     const auto known = channels_.find(topic);
     if (known != channels_.end()) {

@@ -8,23 +8,21 @@
 
 #include "logs/mcap_writer.hpp"
 #include "logs/ros2_schema.hpp"
-#include "logs/ros_codec.hpp"
+#include "logs/ros2_sink.hpp"
 
 namespace ddtool {
 
-/// An MCAP file of ROS 2 messages, as rosbag2 writes them: CDR, with the full definitions of their types. A topic
-/// comes into being with its first message.
-class Ros2Writer {
+/// An MCAP file of ROS 2 messages, as rosbag2 writes them: CDR, with the full definitions of their types.
+class Ros2Writer : public Ros2Sink {
 public:
     explicit Ros2Writer(const std::filesystem::path& path) : file_(path, options()) {}
 
-    /// Appends one message of a type of ros_messages.hpp; a topic keeps the type of its first message.
-    template <typename Message>
-    void write(const std::string& topic, std::int64_t stamp_ns, const Message& message) {
-        file_.write(channel(topic, Message::type_name), stamp_ns, ros::encode_cdr(message));
-    }
     /// Completes the file; without it nothing is left behind.
     void close() { file_.close(); }
+
+protected:
+    void put(const std::string& topic, const char* type_name, std::int64_t stamp_ns,
+             std::span<const std::byte> data) override;
 
 private:
     static McapWriterOptions options();

@@ -1,0 +1,111 @@
+// watch.mjs DDTOOL LOG OUT: runs `ddtool slam --serve` on LOG, watches it with the client of Foxglove from the start to
+// the end, and once more after the end; decodes every message by the schema it was advertised with.
+
+import assert from "node:assert/strict";
+import { spawn } from "node:child_process";
+import { once } from "node:events";
+import { createInterface } from "node:readline";
+import { parse } from "@foxglove/rosmsg";
+import { MessageReader } from "@foxglove/rosmsg2-serialization";
+import { FoxgloveClient } from "@foxglove/ws-protocol";
+import { WebSocket } from "ws";
+
+const expectedTypes = {
+  "/degeneracy": "ddtool_msgs/msg/Degeneracy",
+  "/map": "nav_msgs/msg/OccupancyGrid",
+  "/particlecloud": "geometry_msgs/msg/PoseArray",
+  "/path": "nav_msgs/msg/Path",
+  "/pose": "geometry_msgs/msg/PoseWithCovarianceStamped",
+  "/scan": "sensor_msgs/msg/LaserScan",
+  "/tf": "tf2_msgs/msg/TFMessage",
+  "/tf_static": "tf2_msgs/msg/TFMessage",
+};
+
+/** Subscribes to every channel that there is or will be; `onMessage` sees topic, type, stamp and decoded message. */
+class Watcher {
+  channels = new Map();
+  times = [];
+  serverInfo = undefined;
+  counts = {};
+
+  constructor(address, subprotocol, onMessage) {
+    this.socket = new WebSocket(address, [subprotocol]);
+    this.client = new FoxgloveClient({ ws: this.socket });
+    this.client.on("serverInfo", (info) => (this.serverInfo = info));
+    this.client.on("time", ({ timestamp }) => this.times.push(timestamp));
+    this.client.on("error", (error) => assert.fail(error));
+    this.client.on("status", (status) => assert.fail(JSON.stringify(status)));
+    this.client.on("advertise", (channels) => channels.forEach((channel) => this.#subscribe(channel)));
+    this.client.on("message", ({ subscriptionId, timestamp, data }) => {
+      const { topic, schemaName, reader } = this.channels.get(subscriptionId);
+      this.counts[topic] = (this.counts[topic] ?? 0) + 1;
+      onMessage({ topic, type: schemaName, timestamp, message: reader.readMessage(data) });
+    });
+  }
+
+  #subscribe(channel) {
+    assert.equal(channel.encoding, "cdr");
+    assert.equal(channel.schemaEncoding, "ros2msg");
+    const reader = new MessageReader(parse(channel.schema, { ros2: true }));
+    this.channels.set(this.client.subscribe(channel.id), { ...channel, reader });
+  }
+}
+
+const nanoseconds = ({ sec, nsec, nanosec }) => BigInt(sec) * 1000000000n + BigInt(nsec ?? nanosec);
+
+/** What must hold of every message. */
+function check({ topic, type, timestamp, message }) {
+  assert.equal(type, expectedTypes[topic], topic);
+  const stamp = message.header?.stamp ?? message.transforms?.[0].header.stamp ?? message.stamp;
+  assert.equal(nanoseconds(stamp), timestamp, topic);
+  if (topic === "/map") {
+    assert.equal(message.data.length, message.info.width * message.info.height);
+  }
+}
+
+const [ddtool, log, out] = process.argv.slice(2);
+const run = spawn(ddtool, ["slam", "--log", log, "--out", out, "--particles", "10", "--serve", "0"], {
+  stdio: ["ignore", "ignore", "pipe"],
+});
+const lines = createInterface({ input: run.stderr });
+const exited = once(run, "exit");
+let address;
+let early;
+let ended = false;
+for await (const line of lines) {
+  address ??= line.match(/ws:\/\/\S+/)?.[0];
+  if (address && !early) {
+    early = new Watcher(address, "foxglove.websocket.v1", check);
+  }
+  if (line.includes("until Ctrl-C")) {
+    ended = true;
+    break;
+  }
+}
+assert(ended, "the run failed");
+
+// Who comes now gets the last of everything.
+const latest = new Map();
+const late = new Watcher(address, "foxglove.sdk.v1", (event) => {
+  check(event);
+  latest.set(event.topic, event);
+  if (latest.size === Object.keys(expectedTypes).length) {
+    run.kill("SIGINT");
+  }
+});
+const [code] = await exited;
+
+assert.equal(code, 0);
+assert.equal(early.serverInfo.name, "ddtool slam");
+assert.equal(early.serverInfo.sessionId, late.serverInfo.sessionId);
+assert.deepEqual([...latest.keys()].sort(), Object.keys(expectedTypes));
+for (const [topic, count] of Object.entries(late.counts)) {
+  assert.equal(count, 1, `${topic} after the end`);
+}
+assert.deepEqual(early.times, [...early.times].sort((a, b) => Number(a - b)), "time runs forwards");
+assert.equal(late.times.at(-1), latest.get("/map").timestamp);
+assert(latest.get("/map").message.data.includes(100), "no wall in the map");
+assert(early.counts["/pose"] > 10 && early.counts["/degeneracy"] > 10, JSON.stringify(early.counts));
+console.log("while it ran:", JSON.stringify(early.counts), `and ${early.times.length} times`);
+console.log("after the end:", JSON.stringify(late.counts));
+process.exit(0);
