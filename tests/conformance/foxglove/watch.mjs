@@ -7,8 +7,10 @@ import { once } from "node:events";
 import { createInterface } from "node:readline";
 import { parse } from "@foxglove/rosmsg";
 import { MessageReader } from "@foxglove/rosmsg2-serialization";
-import { FoxgloveClient } from "@foxglove/ws-protocol";
+import wsProtocol from "@foxglove/ws-protocol"; // CommonJS
 import { WebSocket } from "ws";
+
+const { FoxgloveClient } = wsProtocol;
 
 const expectedTypes = {
   "/degeneracy": "ddtool_msgs/msg/Degeneracy",

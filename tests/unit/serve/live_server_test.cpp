@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cstring>
+#include <stdexcept>
 
 #include "base/settings.hpp"
 #include "logs/ros_conversions.hpp"
@@ -24,7 +25,7 @@ std::string next_data(WebSocketClient& client) {
             return message->payload;
         }
     }
-    return "";
+    throw std::runtime_error("the server closed the connection");
 }
 
 std::int64_t stamp_of(const std::string& data) {
