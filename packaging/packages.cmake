@@ -1,7 +1,7 @@
 # Debian packages, one for each component: ddtool; ddtool-torch, with LibTorch's 300 MB; libddtool-dev.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME ddtool)
-set(CPACK_PACKAGE_CONTACT "The ddtool maintainers")
+set(CPACK_PACKAGE_CONTACT "ddtool developers <ddtool@users.noreply.github.com>")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "${PROJECT_DESCRIPTION}")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)

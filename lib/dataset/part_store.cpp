@@ -17,6 +17,16 @@ std::filesystem::path part_file(const std::filesystem::path& folder, const Plann
     return folder / (run.entry.id + ".json");
 }
 
+StoredPart part_in(const std::filesystem::path& file, const Json& json) {
+    try {
+        auto part = json.at("part").get<StoredPart>();
+        part.folder = file.parent_path();
+        return part;
+    } catch (const Json::exception& error) {
+        throw Error(file.string() + ": expected what build-dataset wrote: " + error.what() + "; remove it");
+    }
+}
+
 }  // namespace
 
 PartStore::PartStore(const std::filesystem::path& folder, const std::vector<std::string>& others)
@@ -39,9 +49,7 @@ std::optional<StoredPart> PartStore::find(const PlannedRun& run) const {
         if (!json.is_object() || json.value("configuration", Json()) != run.configuration) {
             throw Error(file.string() + ": expected the part of the configuration that its name stands for; remove it");
         }
-        auto part = json.at("part").get<StoredPart>();
-        part.folder = folder;
-        return part;
+        return part_in(file, json);
     }
     return std::nullopt;
 }

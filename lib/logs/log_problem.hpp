@@ -13,6 +13,16 @@ struct LogProblem {
     std::uint64_t bytes_lost = 0;  ///< of the file, known to be skipped or missing; 0 where nothing is or unknown
 };
 
-using LogProblemHandler = std::function<void(const LogProblem&)>;
+/// Is told of each problem; an empty one ignores them.
+class LogProblemHandler : std::function<void(const LogProblem&)> {
+public:
+    using function::function;
+
+    void operator()(const LogProblem& problem) const {
+        if (*this) {
+            function::operator()(problem);
+        }
+    }
+};
 
 }  // namespace ddtool

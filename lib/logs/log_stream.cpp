@@ -12,9 +12,7 @@ LogStream::LogStream(LogProblemHandler on_problem) : on_problem_(std::move(on_pr
 void LogStream::report(const LogProblem& problem) {
     ++summary_.problems;
     summary_.bytes_lost += problem.bytes_lost;
-    if (on_problem_) {
-        on_problem_(problem);
-    }
+    on_problem_(problem);
 }
 
 std::unique_ptr<LogStream> open_log(const std::filesystem::path& path, const LogOptions& options,

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <csignal>
 #include <thread>
+#include <tuple>
 
 #include "thrown_text.hpp"
 #include "tiny_build.hpp"
@@ -102,6 +103,28 @@ TEST_F(SameBytesTest, ADamagedPartIsNamed) {
     write_file(file, bytes);
     EXPECT_THAT(thrown_text([&] { test::build_in(folder_ / "whole", settings_); }),
                 HasSubstr(results[1].part->shard.particles.file + ": damaged"));
+}
+
+TEST_F(SameBytesTest, ADescriptionThatLacksSomethingIsNamedInOneLine) {
+    const auto results = test::make_in(folder_ / "whole", settings_);
+    const PlannedRun run = plan_runs(settings_).runs[1];
+    const auto file = results[1].part->folder / (run.entry.id + ".json");
+    const Json whole = Json::parse(read_file(file));
+    std::vector<Json> damaged{Json{{"configuration", run.configuration}}};  // no part at all
+    for (const auto& [key, value] : whole.at("part").items()) {
+        Json without = whole;
+        without["part"].erase(key);
+        damaged.push_back(without);
+        Json other_type = whole;
+        other_type["part"][key] = Json::array({"?"});
+        damaged.push_back(other_type);
+    }
+    const PartStore store(folder_ / "whole", {});
+    for (const Json& json : damaged) {
+        write_file(file, json.dump());
+        const std::string text = thrown_text([&] { std::ignore = store.find(run); });
+        EXPECT_THAT(text, AllOf(HasSubstr(file.string() + ": expected"), Not(HasSubstr("\n")))) << json.dump(1);
+    }
 }
 
 }  // namespace

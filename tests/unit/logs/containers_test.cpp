@@ -5,6 +5,7 @@
 #include "bag_file.hpp"
 #include "base/atomic_file.hpp"
 #include "db3_file.hpp"
+#include "logs/log_inventory.hpp"
 #include "read_log.hpp"
 #include "rosbag2_folder_files.hpp"
 #include "temporary_folder.hpp"
@@ -70,6 +71,37 @@ TEST_P(Containers, GiveTheFramesOfTheSameMessages) {
 
 INSTANTIATE_TEST_SUITE_P(All, Containers, testing::ValuesIn(containers()),
                          [](const auto& container) { return container.param.name; });
+
+/// A file cut short, which every reader reports.
+class CutFile : public testing::TestWithParam<std::string> {
+protected:
+    CutFile() {
+        const Recording recording = test::example_recording();
+        const std::string whole = GetParam() == "bag" ? BagFile(recording, {}).bytes() : mcap_bytes(recording);
+        write_file(file_, whole.substr(0, 3 * whole.size() / 4));
+    }
+
+    test::TemporaryFolder folder_;
+    std::filesystem::path file_ = folder_ / "log";
+
+private:
+    std::string mcap_bytes(const Recording& recording) {
+        test::write_mcap(file_, recording);
+        return read_file(file_);
+    }
+};
+
+TEST_P(CutFile, GivesTheSameToWhoDoesNotAskForProblems) {
+    const test::ReadLog heard = test::read_all(file_);
+    EXPECT_FALSE(heard.problems.empty());
+    const test::ReadLog unheard = test::read_all([&](const auto&) { return open_log(file_, {}, {}); });
+    EXPECT_EQ(unheard.error, "");
+    EXPECT_EQ(unheard.frames.size(), heard.frames.size());
+    EXPECT_EQ(unheard.summary.problems, heard.summary.problems);
+    EXPECT_GT(take_inventory(file_, {}, [](double) {}).messages(), 0U);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, CutFile, testing::Values("bag", "mcap"), [](const auto& kind) { return kind.param; });
 
 }  // namespace
 }  // namespace ddtool
