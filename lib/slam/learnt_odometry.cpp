@@ -93,7 +93,7 @@ MotionSigmas LearntOdometry::sigmas(const Pose2& odometry_motion, double duratio
 void LearntOdometry::learn(const ObservedMotion& motion) {
     const ObservedSds sds = sds_of(motion.information);
     chord_.odometry = chord_.odometry * motion.odometry;
-    chord_.matched = chord_.matched * motion.matched;
+    ++chord_.updates;
     chord_.way_m += length_m(motion.odometry);
     chord_.turn_rad += std::abs(motion.odometry.theta_rad);
     chord_.duration_s += motion.duration_s;
@@ -102,6 +102,7 @@ void LearntOdometry::learn(const ObservedMotion& motion) {
     if (chord_.way_m < settings_.chord_m && chord_.turn_rad < settings_.chord_turn_rad) {
         return;
     }
+    chord_.matched = between(motion.pose_before(chord_.updates), motion.pose_before(0));
     learn_scale();
     learn_turn();
     chord_ = {};

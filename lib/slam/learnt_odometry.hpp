@@ -55,7 +55,8 @@ private:
     };
     struct Chord {
         Pose2 odometry;
-        Pose2 matched;
+        Pose2 matched;  ///< along one particle's past: steps of different particles add up to a way that none went
+        std::size_t updates = 0;
         double way_m = 0.0;
         double turn_rad = 0.0;
         double duration_s = 0.0;

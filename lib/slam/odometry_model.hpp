@@ -1,6 +1,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstddef>
+#include <functional>
 
 #include "particles/motion_model.hpp"
 
@@ -9,10 +11,11 @@ namespace ddtool {
 /// A motion that both the odometry and the scans have measured.
 struct ObservedMotion {
     Pose2 odometry;           ///< as the log has it, in the robot's frame before
-    Pose2 matched;            ///< after scan matching, in the same frame
     double duration_s = 0.0;  ///< 0 where stamps do not rise
     /// What the scan says of the pose after the motion (x, y, theta in the robot's frame then; 1/m^2, 1/(m rad), ...).
     Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
+    /// Pose so many updates ago (0: now) of the particle believed most, after scan matching, or of its ancestor then.
+    std::function<Pose2(std::size_t)> pose_before;
 };
 
 /// What the odometry's motion tells of the true one.

@@ -28,6 +28,13 @@ void PoseHistory::release(Node node) {
     }
 }
 
+const Pose2& PoseHistory::pose_before(Node node, std::size_t generations) const {
+    for (; generations > 0; --generations) {
+        node = entries_[node].parent;
+    }
+    return entries_[node].pose;
+}
+
 std::vector<Pose2> PoseHistory::path(Node node) const {
     std::vector<Pose2> poses;
     for (; node != none; node = entries_[node].parent) {

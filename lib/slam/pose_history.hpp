@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -19,6 +20,8 @@ public:
     void acquire(Node node);
     /// Gives up one ownership; nodes without owners and descendants are freed.
     void release(Node node);
+    /// The pose so many generations before `node`'s (0: its own), which must be there.
+    [[nodiscard]] const Pose2& pose_before(Node node, std::size_t generations) const;
     /// Poses from the first to `node`.
     [[nodiscard]] std::vector<Pose2> path(Node node) const;
     /// Nodes in use.

@@ -205,8 +205,11 @@ void Rbpf::correct_covariances() {
 
 void Rbpf::learn_odometry(const Step& step) {
     const Particle& particle = best();
-    strategies_.odometry->learn({step.odometry_motion, particle.matched_motion, step.duration_s,
-                                 in_robot_frame(particle.match.information, particle.pose.theta_rad)});
+    const auto pose_before = [&](std::size_t updates) {
+        return updates == 0 ? particle.pose : history_.pose_before(particle.history, updates - 1);
+    };
+    strategies_.odometry->learn({step.odometry_motion, step.duration_s,
+                                 in_robot_frame(particle.match.information, particle.pose.theta_rad), pose_before});
 }
 
 bool Rbpf::resample_if_poor(const ParticleSnapshot& swarm, const Degeneracy& degeneracy) {

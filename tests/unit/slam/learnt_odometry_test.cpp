@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <vector>
 
 #include "base/random.hpp"
 
@@ -23,10 +24,13 @@ struct Truth {
 void drive(LearntOdometry& odometry, double way_m, const Truth& truth, const Eigen::Matrix3d& information) {
     RandomStream random{7};
     const double root = std::sqrt(0.1);
+    std::vector<Pose2> path{{}};
+    const auto pose_before = [&](std::size_t updates) { return path[path.size() - 1 - updates]; };
     for (double driven_m = 0.0; driven_m < way_m; driven_m += 0.1) {
         const Pose2 true_motion{truth.scale * 0.1 + truth.noise_m * root * random.normal(), 0.0,
                                 truth.bias_rad_per_s * 0.1 + truth.noise_rad * root * random.normal()};
-        odometry.learn({{0.1, 0.0, 0.0}, true_motion, 0.1, information});
+        path.push_back(path.back() * true_motion);
+        odometry.learn({{0.1, 0.0, 0.0}, 0.1, information, pose_before});
     }
 }
 
@@ -73,8 +77,11 @@ TEST(LearntOdometry, ASlipCountsLittle) {
     for (LearntOdometry* odometry : {&slipped, &clean}) {
         drive(*odometry, 100.0, {}, held);
     }
-    slipped.learn({{1.0, 0.0, 0.0}, {0.2, 0.0, 0.0}, 1.0, held});
-    clean.learn({{1.0, 0.0, 0.0}, {1.02, 0.0, 0.0}, 1.0, held});
+    const auto moved = [](double x_m) {
+        return [=](std::size_t updates) { return updates == 0 ? Pose2{x_m, 0.0, 0.0} : Pose2{}; };
+    };
+    slipped.learn({{1.0, 0.0, 0.0}, 1.0, held, moved(0.2)});
+    clean.learn({{1.0, 0.0, 0.0}, 1.0, held, moved(1.02)});
     EXPECT_NEAR(slipped.scale(), clean.scale(), 2.0 * clean.scale_sd());
 }
 

@@ -65,7 +65,11 @@ TEST(PoseHistory, KeepsThePathsOfTheLivingAndNothingElse) {
             become_copy(history, walker, walkers[random.index(walkers.size())]);
         }
         ASSERT_EQ(history.size(), ModelNode::living) << i;
-        ASSERT_EQ(history.path(walker.node), path_of(walker.model.get())) << i;
+        const std::vector<Pose2> path = path_of(walker.model.get());
+        ASSERT_EQ(history.path(walker.node), path) << i;
+        for (std::size_t back = 0; back < path.size(); ++back) {
+            ASSERT_EQ(history.pose_before(walker.node, back), path[path.size() - 1 - back]) << i;
+        }
     }
     for (Walker& walker : walkers) {
         ASSERT_EQ(history.path(walker.node), path_of(walker.model.get()));

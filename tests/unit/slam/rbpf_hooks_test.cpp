@@ -147,6 +147,46 @@ TEST(Correction, PutsTheParticleWhereItSays) {
     }
 }
 
+/// Checks that it is shown the past of the particle believed now, whichever that is and however often that changes.
+class WatchesThePast : public FixedOdometry {
+public:
+    WatchesThePast() : FixedOdometry(RbpfSettings{}.motion) {}
+    void learn(const ObservedMotion& motion) override {
+        ++updates;
+        path.clear();
+        for (std::size_t back = updates; back > 0; --back) {
+            path.push_back(motion.pose_before(back));
+        }
+        path.push_back(motion.pose_before(0));
+    }
+    std::size_t updates = 0;
+    std::vector<Pose2> path;
+};
+
+TEST(Odometry, LearnsFromThePastOfTheParticleBelievedNow) {
+    const auto odometry = std::make_shared<WatchesThePast>();
+    FilterStrategies strategies;
+    strategies.odometry = odometry;
+    ThreadPool threads(1);
+    Rbpf filter(resampling_below(never), threads, strategies);
+    for (const SensorFrame& frame : room_drive()) {
+        if (filter.process(frame) && filter.updates() > 1) {
+            EXPECT_EQ(odometry->path.back(), filter.best().pose);
+        }
+    }
+    std::vector<Pose2> updates;
+    const Trajectory trajectory = filter.trajectory();
+    for (std::size_t i = 0; i < trajectory.size(); ++i) {
+        if (trajectory[i].pose == odometry->path[updates.size()]) {
+            updates.push_back(trajectory[i].pose);
+        }
+        if (updates.size() == odometry->path.size()) {
+            break;
+        }
+    }
+    EXPECT_EQ(updates, odometry->path);
+}
+
 /// Puts copies of the second particle beside each other.
 class SecondOnly : public Resampling {
 public:
