@@ -151,6 +151,7 @@ ExitCode SlamCommand::run(const Json& settings) {
     folder.write_json("config.json", settings);
     Json run = run_report(result, map);
     run["stages"]["write_s"] = folder.write_s();
+    run["step_ms"] = step_time_report(folder.course());
     const Json report{{"command", "slam"},
                       {"versions", version_report()},
                       {"settings", settings},

@@ -30,6 +30,9 @@ std::vector<html::Fact> facts_of(const Json& report) {
                                   {"resamplings", run.at("resamplings").dump()},
                                   {"wall time", fixed_text(cost.at("wall_s"), 1) + " s"},
                                   {"memory", fixed_text(1e-6 * cost.at("peak_memory_bytes").get<double>(), 0) + " MB"}};
+    if (run.contains("step_ms") && !run.at("step_ms").is_null()) {
+        facts.push_back({"step, 99 % below", fixed_text(run.at("step_ms").at("p99"), 1) + " ms"});
+    }
     if (run.contains("errors")) {
         facts.insert(facts.begin(), {"ATE (rmse)", length(run.at("errors").at("ate_m").at("rmse"), 3)});
     }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/json_struct.hpp"
+#include "eval/statistics.hpp"
 #include "eval/trajectory_score.hpp"
 
 namespace ddtool {
@@ -23,6 +24,15 @@ double duration_s(const Trajectory& trajectory) {
 }
 
 }  // namespace
+
+Json step_time_report(const RunCourse& course) {
+    const std::vector<double>& steps = course.step_s();
+    if (steps.empty()) {
+        return nullptr;
+    }
+    const auto ms_at = [&](double fraction) { return 1e3 * quantile(steps, fraction); };
+    return {{"median", ms_at(0.5)}, {"p99", ms_at(0.99)}, {"most", ms_at(1.0)}};
+}
 
 Json run_report(const FilterRun& run, const MapRaster& map) {
     Json stages{{"read_s", run.read_s}};

@@ -82,6 +82,22 @@ TEST(RunReport, CountsAndScores) {
     EXPECT_GT(report.at("stages").at("match_s"), 0.0);
 }
 
+TEST(RunReport, TellsHowLongStepsTook) {
+    EXPECT_TRUE(step_time_report({}).is_null());
+    test::SmallRun small;
+    RunCourse course;
+    small.run([&](const SensorFrame&, bool moved) {
+        if (moved) {
+            course.add(small.filter());
+        }
+        return true;
+    });
+    const Json steps = step_time_report(course);
+    EXPECT_GT(steps.at("median"), 0.0);
+    EXPECT_GE(steps.at("p99"), steps.at("median"));
+    EXPECT_GE(steps.at("most"), steps.at("p99"));
+}
+
 TEST(RunReport, HasNoErrorsWithoutTheTruth) {
     FilterRun run;
     run.trajectory = {{0, {}}};
