@@ -4,6 +4,7 @@
 #include "base/fingerprint.hpp"
 #include "base/pattern.hpp"
 #include "base/thread_pool.hpp"
+#include "compare/known_map.hpp"
 #include "geometry/tum_file.hpp"
 #include "slam/settings_json.hpp"
 
@@ -55,7 +56,10 @@ Json method_defaults(const std::string& kind, const Json& filter, const std::str
     if (kind == "external") {
         return {{"name", ""}, {"kind", kind}, {"trajectories", ""}};
     }
-    throw UsageError(where + ": kind '" + kind + "': expected filter, odometry or external");
+    if (kind == "known-map") {
+        return {{"name", ""}, {"kind", kind}, {"odometry", "typical"}};
+    }
+    throw UsageError(where + ": kind '" + kind + "': expected filter, odometry, external or known-map");
 }
 
 FilterSettings filter_settings(const Json& method, std::uint64_t seed) {
@@ -84,6 +88,9 @@ MethodEntry::MethodEntry(const Json& item, const Json& filter, const std::string
         (void)make_filter(filter_settings(settings_, 0), detectors_,
                           one);  // what makes no sense shows now, not in every run
     }
+    if (kind_ == "known-map") {
+        (void)sim::odometry_preset(settings_.at("odometry"));
+    }
     if (kind_ == "external" && settings_.at("trajectories").get<std::string>().empty()) {
         throw UsageError(where + ": expected trajectories, the path of TUM files with {world} and {seed} in it");
     }
@@ -96,6 +103,9 @@ Json MethodEntry::identity(const std::string& world, std::uint64_t seed) const {
     if (kind_ == "external") {
         return {{"kind", kind_}, {"file", file_fingerprint(file(world, seed))}};
     }
+    if (kind_ == "known-map") {
+        return {{"kind", kind_}, {"odometry", settings_.at("odometry")}, {"seed", seed}};
+    }
     return {{"kind", kind_}};
 }
 
@@ -105,6 +115,9 @@ std::unique_ptr<Method> MethodEntry::start(const std::string& world, std::uint64
     }
     if (kind_ == "external") {
         return std::make_unique<ExternalMethod>(file(world, seed));
+    }
+    if (kind_ == "known-map") {
+        return std::make_unique<KnownMapMethod>(sim::odometry_preset(settings_.at("odometry")), seed);
     }
     return std::make_unique<OdometryMethod>();
 }

@@ -115,7 +115,7 @@ TEST_F(ExperimentTest, RefusesWhatMakesNoSense) {
     EXPECT_THAT(refusal("/methods", Json::array()), HasSubstr("methods: expected one or more"));
     EXPECT_THAT(refusal("/worlds/0/world", "s99"), HasSubstr("s99"));
     EXPECT_THAT(refusal("/methods/1/name", "odometry"), HasSubstr("given before"));
-    EXPECT_THAT(refusal("/methods/1/kind", "magic"), HasSubstr("expected filter, odometry or external"));
+    EXPECT_THAT(refusal("/methods/1/kind", "magic"), HasSubstr("expected filter, odometry, external or known-map"));
     EXPECT_THAT(refusal("/methods/1/filter", {{"particles", 0}}), HasSubstr("particles"));
     EXPECT_THAT(refusal("/baseline", "filtre"), HasSubstr("did you mean: filter"));
     EXPECT_THAT(refusal("/seeds/count", 0U), HasSubstr("seeds.count"));
