@@ -27,9 +27,6 @@ std::unique_ptr<native::DegreeModel> model_of(training::Checkpoint& checkpoint, 
     native::ModelDescription about = checkpoint.description();
     const torch::Device device(options.device);
     network->to(device);
-    if (options.precision == "bf16") {
-        network->to(torch::kBFloat16);
-    }
     const auto forward = [network, loss = about.loss, temperature = about.temperature](const torch::Tensor& images) {
         return inference::output_values(loss, network->forward(images) / temperature);
     };

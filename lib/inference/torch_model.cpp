@@ -1,6 +1,7 @@
 #include "inference/torch_model.hpp"
 
 #include "base/error.hpp"
+#include "models/mixed_precision.hpp"
 
 namespace ddtool::inference {
 
@@ -8,7 +9,7 @@ TorchModel::TorchModel(native::ModelDescription description, Forward forward, co
     : description_(std::move(description)),
       forward_(std::move(forward)),
       device_(options.device),
-      type_(options.precision == "bf16" ? torch::kBFloat16 : torch::kFloat32),
+      precision_(options.precision),
       threads_(static_cast<int>(options.threads)) {}
 
 void TorchModel::run(std::span<const float> images, std::span<double> degrees) {
@@ -22,9 +23,9 @@ void TorchModel::run(std::span<const float> images, std::span<double> degrees) {
         at::set_num_threads(threads_);
     }
     const c10::InferenceMode inference;
+    const models::MixedPrecision precision(precision_, device_.type());
     // from_blob takes no pointer to const; nothing writes to it.
-    const torch::Tensor input =
-        torch::from_blob(const_cast<float*>(images.data()), {count, 1, size, size}).to(device_, type_);
+    const torch::Tensor input = torch::from_blob(const_cast<float*>(images.data()), {count, 1, size, size}).to(device_);
     const torch::Tensor values = forward_(input).select(1, native::degenerate_output).to(torch::kCPU, torch::kFloat64);
     std::copy_n(values.contiguous().data_ptr<double>(), degrees.size(), degrees.begin());
 }

@@ -3,6 +3,7 @@
 #include <torch/torch.h>
 
 #include <functional>
+#include <string>
 
 #include "learning/engine.hpp"
 
@@ -23,7 +24,7 @@ private:
     native::ModelDescription description_;
     Forward forward_;
     torch::Device device_;
-    torch::ScalarType type_;
+    std::string precision_;
     int threads_;
 };
 

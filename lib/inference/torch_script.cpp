@@ -102,12 +102,11 @@ std::unique_ptr<native::DegreeModel> load_torch_script(const std::filesystem::pa
     }
     native::ModelDescription description = description_in(extra.at(description_file), path);
     module.eval();
-    if (options.precision == "bf16") {
-        module.to(torch::kBFloat16);
+    // Folds batch normalisation into the convolutions and lays the weights out for the processor, in one precision:
+    // what it makes knows no autocast. Only after loading: LibTorch 1.13 cannot save it.
+    if (options.precision == "fp32") {
+        module = torch::jit::optimize_for_inference(module);
     }
-    // Folds batch normalisation into the convolutions and lays the weights out for the processor. Only after loading:
-    // LibTorch 1.13 cannot save what this makes.
-    module = torch::jit::optimize_for_inference(module);
     return std::make_unique<TorchModel>(
         std::move(description),
         [module](const torch::Tensor& images) mutable { return module.forward({images}).toTensor(); }, options);

@@ -7,9 +7,9 @@
 #include "base/fingerprint.hpp"
 #include "base/folder.hpp"
 #include "base/log.hpp"
+#include "models/mixed_precision.hpp"
 #include "training/batch_tensors.hpp"
 #include "training/losses.hpp"
-#include "training/mixed_precision.hpp"
 #include "training/optimizers.hpp"
 #include "training/validation.hpp"
 
@@ -144,7 +144,7 @@ void Trainer::take_step(learning::Batch& batch, std::size_t steps_per_epoch) {
     const BatchTensors tensors = tensors_of(batch, device_);
     torch::Tensor logits;
     {
-        const MixedPrecision precision(settings.precision, device_.type());
+        const models::MixedPrecision precision(settings.precision, device_.type());
         logits = network_->forward(tensors.images);
     }
     const torch::Tensor losses = sample_losses(settings.loss, logits, tensors.classes) * weights_.at(tensors.classes);

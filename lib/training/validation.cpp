@@ -3,9 +3,9 @@
 #include "eval/confusion.hpp"
 #include "eval/ranks.hpp"
 #include "learning/batch_loader.hpp"
+#include "models/mixed_precision.hpp"
 #include "training/batch_tensors.hpp"
 #include "training/losses.hpp"
-#include "training/mixed_precision.hpp"
 
 namespace ddtool::training {
 namespace {
@@ -47,7 +47,7 @@ ValidationResult validate(models::Network& network, const dataset::Dataset& data
     learning::Batch batch;
     while (loader.next(batch)) {
         const BatchTensors tensors = tensors_of(batch, device);
-        const MixedPrecision precision(settings.precision, device.type());
+        const models::MixedPrecision precision(settings.precision, device.type());
         add(scores, network.forward(tensors.images), tensors.classes, settings, weights);
     }
     return result_of(scores);

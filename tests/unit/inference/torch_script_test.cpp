@@ -52,6 +52,18 @@ TEST_P(ExportedModel, AgreesWithTheNetworkForAnyBatch) {
     }
 }
 
+TEST_P(ExportedModel, IsNearInBf16) {
+    export_with("cross-entropy");
+    const auto rounded = load_torch_script(path_, {.precision = "bf16"});
+    const torch::Tensor images = drawn_images(7);
+    const std::vector<double> degrees = degrees_by(*rounded, images);
+    const std::vector<double> exact = degrees_by(*load_torch_script(path_, {}), images);
+    EXPECT_NE(degrees, exact) << "bf16 did nothing";
+    for (std::size_t index = 0; index < degrees.size(); ++index) {
+        EXPECT_NEAR(degrees[index], exact[index], 0.05);
+    }
+}
+
 TEST_P(ExportedModel, CarriesItsDescription) {
     export_with("bce");
     EXPECT_TRUE(is_exported_model(path_));

@@ -4,8 +4,8 @@
 #include <torch/torch.h>
 
 #include "base/error.hpp"
-#include "bf16_autocast.hpp"
 #include "formula_weights.hpp"
+#include "models/mixed_precision.hpp"
 #include "models/network.hpp"
 #include "near.hpp"
 #include "thrown_text.hpp"
@@ -93,7 +93,7 @@ TEST_P(EveryNetwork, Bf16IsNearAndItsLogitsAreFloat) {
     network_->eval();
     const torch::NoGradGuard no_grad;
     const torch::Tensor expected = network_->forward(images);
-    const Bf16Autocast autocast;
+    const MixedPrecision autocast("bf16", torch::kCPU);
     const torch::Tensor rounded = network_->forward(images);
     EXPECT_EQ(rounded.scalar_type(), torch::kFloat);
     EXPECT_TRUE(near(rounded, expected, 0.1));
@@ -103,7 +103,7 @@ TEST_P(EveryNetwork, Bf16IsNearAndItsLogitsAreFloat) {
 TEST_P(EveryNetwork, Bf16Trains) {
     torch::Tensor cost;
     {
-        const Bf16Autocast autocast;
+        const MixedPrecision autocast("bf16", torch::kCPU);
         cost = network_->forward(formula_images(4, size_px)).square().sum();
     }
     cost.backward();

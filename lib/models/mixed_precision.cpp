@@ -1,9 +1,9 @@
-#include "training/mixed_precision.hpp"
+#include "models/mixed_precision.hpp"
 
 #include <ATen/autocast_mode.h>
 #include <torch/version.h>
 
-namespace ddtool::training {
+namespace ddtool::models {
 namespace {
 
 void set_autocast(torch::DeviceType device, bool on) {
@@ -37,4 +37,4 @@ MixedPrecision::~MixedPrecision() {
     }
 }
 
-}  // namespace ddtool::training
+}  // namespace ddtool::models
