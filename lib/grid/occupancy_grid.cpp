@@ -4,6 +4,9 @@
 #include <cmath>
 #include <utility>
 
+#include "base/error.hpp"
+#include "base/text.hpp"
+
 namespace ddtool {
 namespace {
 
@@ -70,6 +73,19 @@ void for_each_around(Cell centre, Visit&& visit) {
 
 OccupancyGrid::OccupancyGrid(const OccupancySettings& settings) : settings_(settings) {}
 
+namespace {
+
+void expect_possible(std::int64_t columns, std::int64_t rows, double cell_size_m) {
+    if (columns * rows > OccupancyGrid::most_patches) {
+        const double patch_km = 1e-3 * cell_size_m * Patch::size_cells;
+        throw Error("a map of " + fixed_text(static_cast<double>(columns) * patch_km, 1) + " km by " +
+                    fixed_text(static_cast<double>(rows) * patch_km, 1) +
+                    " km: the poses jump; expected an odometry in metres that goes on from where it was");
+    }
+}
+
+}  // namespace
+
 void OccupancyGrid::reserve(const CellBox& box) {
     const int first_column = (box.x_min - field_radius) >> Patch::size_bits;
     const int first_row = (box.y_min - field_radius) >> Patch::size_bits;
@@ -85,6 +101,7 @@ void OccupancyGrid::reserve(const CellBox& box) {
     larger.first_row_ = fresh ? first_row : std::min(first_row, first_row_);
     larger.columns_ = std::max(end_column, fresh ? end_column : first_column_ + columns_) - larger.first_column_;
     larger.rows_ = std::max(end_row, fresh ? end_row : first_row_ + rows_) - larger.first_row_;
+    expect_possible(larger.columns_, larger.rows_, settings_.cell_size_m);
     larger.patches_.resize(static_cast<std::size_t>(larger.columns_) * static_cast<std::size_t>(larger.rows_));
     for (int row = 0; row < rows_; ++row) {
         const auto source = patches_.begin() + static_cast<std::ptrdiff_t>(patch_index(0, row));

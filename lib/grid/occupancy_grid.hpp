@@ -40,6 +40,7 @@ struct OccupancySettings {
 class OccupancyGrid {
 public:
     static constexpr int field_radius = 3;
+    static constexpr std::int64_t most_patches = std::int64_t{1} << 23;  ///< 64 MB of pointers
 
     explicit OccupancyGrid(const OccupancySettings& settings);
 
@@ -53,7 +54,8 @@ public:
     [[nodiscard]] bool occupied(Cell cell) const { return log_odds(cell) > 0; }
     [[nodiscard]] NearestPoint nearest(Cell cell) const { return patch_at(cell).nearest[Patch::local(cell.x, cell.y)]; }
 
-    /// Makes room for writing to the box. Both functions below need it.
+    /// Makes room for writing to the box. Both functions below need it. Throws Error for a map of more than
+    /// most_patches, some square kilometres: no robot drives so far, but an odometry that jumps does.
     void reserve(const CellBox& box);
     /// An end point in `cell`, at `offset` from its centre.
     void add_hit(Cell cell, NearestPoint offset);

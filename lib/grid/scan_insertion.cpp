@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+
+#include "base/error.hpp"
 
 namespace ddtool {
 namespace {
@@ -29,6 +32,15 @@ std::int8_t offset_in_cell(double cells) {
         std::min(static_cast<int>(fraction * NearestPoint::units_per_cell) - half, half - 1));
 }
 
+/// Far enough out cells have no number, and beams of their own length no place.
+void expect_on_earth(const Point2& laser_m, double cell_size_m) {
+    constexpr double most_cells = 1e9;
+    if (!(std::abs(laser_m.x_m) < most_cells * cell_size_m && std::abs(laser_m.y_m) < most_cells * cell_size_m)) {
+        throw Error("a scan taken at (" + std::to_string(laser_m.x_m) + " m, " + std::to_string(laser_m.y_m) +
+                    " m): the poses jump; expected an odometry in metres");
+    }
+}
+
 }  // namespace
 
 void ScanInserter::insert(OccupancyGrid& grid, const ScanPoints& points, const Pose2& pose) {
@@ -36,6 +48,7 @@ void ScanInserter::insert(OccupancyGrid& grid, const ScanPoints& points, const P
     project(points, pose, cell_size_m);
     const Point2 laser = pose * points.origin_m;
     const Point2 origin_cells{laser.x_m / cell_size_m, laser.y_m / cell_size_m};
+    expect_on_earth(laser, cell_size_m);
     grid.reserve(box_of(ends_cells_, origin_cells));
     for (const CellSpan& span : free_space_.find(points, ends_cells_, origin_cells)) {
         grid.add_free(span.y, span.x_begin, span.x_end);
