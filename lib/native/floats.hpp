@@ -17,7 +17,7 @@ struct CacheLineAllocator {
     explicit CacheLineAllocator(const CacheLineAllocator<Other>& /*other*/) {}
 
     T* allocate(std::size_t count) { return static_cast<T*>(::operator new(count * sizeof(T), alignment)); }
-    void deallocate(T* memory, std::size_t count) { ::operator delete(memory, count * sizeof(T), alignment); }
+    void deallocate(T* memory, std::size_t /*count*/) { ::operator delete(memory, alignment); }
     bool operator==(const CacheLineAllocator& /*other*/) const { return true; }
 };
 

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <functional>
+#include <map>
+#include <span>
+#include <string>
+
+namespace ddtool::fuzz {
+
+/// Everything that reads bytes from outside, by name. Each takes a file's content and reads it as its command would;
+/// what is wrong with it must end in ddtool::Error or a reported problem, which are no findings. Anything else is one.
+using Reader = std::function<void(std::span<const char> content)>;
+const std::map<std::string, Reader>& readers();
+
+}  // namespace ddtool::fuzz
