@@ -1,18 +1,12 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 
+#include "base/atomic_file.hpp"
 #include "readers.hpp"
 
 namespace ddtool::fuzz {
 namespace {
-
-std::string content_of(const std::filesystem::path& path) {
-    std::ifstream file(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
-}
 
 /// What fuzzing found once, and inputs that are meant to hurt: findings/READER/NAME. A crash or a foreign exception
 /// fails.
@@ -21,7 +15,7 @@ TEST(FuzzFindings, AreReadWithoutHarm) {
     for (const auto& entry : std::filesystem::recursive_directory_iterator(DDTOOL_FINDINGS)) {
         if (entry.is_regular_file()) {
             const std::string reader = entry.path().parent_path().filename().string();
-            const std::string content = content_of(entry.path());
+            const std::string content = read_file(entry.path());
             SCOPED_TRACE(entry.path().string());
             ASSERT_NO_THROW(readers().at(reader)({content.data(), content.size()}));
             ++inputs;

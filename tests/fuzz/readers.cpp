@@ -8,7 +8,6 @@
 #include "base/error.hpp"
 #include "base/settings.hpp"
 #include "compare/experiment.hpp"
-#include "dataset/manifest.hpp"
 #include "eval/relations.hpp"
 #include "geometry/tum_file.hpp"
 #include "logs/log_inventory.hpp"
@@ -23,7 +22,7 @@ namespace {
 /// Beyond this many scans a small input has been read as something that it is not.
 constexpr std::size_t most_scans = 100'000;
 
-/// In memory where the system has such a folder, since every input becomes a file.
+/// Not by write_file(): nothing here need outlive a crash, and a rename for each of a million inputs takes its time.
 std::filesystem::path written(std::span<const char> content, const std::string& name) {
     static const test::TemporaryFolder folder;
     const std::filesystem::path path = folder / name;

@@ -50,7 +50,7 @@ TEST_P(ShippedModel, CallsASwarmDegenerateThatMatchingLeavesAsWideAsItCame) {
 TEST_P(ShippedModel, GivesTheSameDegreesWithoutLibTorch) {
     const auto model = load_torch_script(file(".pt"), {});
     const auto native = native::load_model(file(".safetensors"));
-    for (const double share : {0.05, 0.6}) {
+    for (const double share : {0.05, 0.3, 0.6, 1.0}) {
         EXPECT_THAT(degrees_of(*native, share),
                     testing::Pointwise(testing::DoubleNear(1e-5), degrees_of(*model, share)));
     }

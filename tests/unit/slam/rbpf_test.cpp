@@ -10,15 +10,6 @@
 namespace ddtool {
 namespace {
 
-void expect_finite_pose_for_every_scan(const Trajectory& trajectory, const std::vector<SensorFrame>& frames) {
-    ASSERT_EQ(trajectory.size(), frames.size());
-    for (std::size_t i = 0; i < frames.size(); ++i) {
-        EXPECT_EQ(trajectory[i].stamp_ns, frames[i].scan.stamp_ns);
-        const Pose2& pose = trajectory[i].pose;
-        EXPECT_TRUE(std::isfinite(pose.x_m) && std::isfinite(pose.y_m) && std::isfinite(pose.theta_rad)) << i;
-    }
-}
-
 double largest_error_m(const Trajectory& trajectory, const std::vector<SensorFrame>& frames) {
     double largest = 0.0;
     for (std::size_t i = 0; i < frames.size(); ++i) {

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <gtest/gtest.h>
+
+#include <cmath>
 #include <vector>
 
 #include "room_scans.hpp"
@@ -50,6 +53,15 @@ inline std::vector<Pose2> poses_of(const Trajectory& trajectory) {
         poses.push_back(stamped.pose);
     }
     return poses;
+}
+
+inline void expect_finite_pose_for_every_scan(const Trajectory& trajectory, const std::vector<SensorFrame>& frames) {
+    ASSERT_EQ(trajectory.size(), frames.size());
+    for (std::size_t i = 0; i < frames.size(); ++i) {
+        EXPECT_EQ(trajectory[i].stamp_ns, frames[i].scan.stamp_ns);
+        const Pose2& pose = trajectory[i].pose;
+        EXPECT_TRUE(std::isfinite(pose.x_m) && std::isfinite(pose.y_m) && std::isfinite(pose.theta_rad)) << i;
+    }
 }
 
 }  // namespace ddtool
