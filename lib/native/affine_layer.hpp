@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "native/floats.hpp"
-#include "native/map_shape.hpp"
 #include "native/named_weights.hpp"
 #include "native/product.hpp"
 
@@ -35,28 +34,6 @@ private:
     bool relu_;
     Floats out_;
 };
-
-struct ConvolutionRow {
-    std::size_t channels = 0;
-    std::size_t kernel_px = 3;  ///< 3 or 1, padded so that stride 1 keeps the size
-    std::size_t stride = 1;
-    bool relu = false;
-};
-
-MapShape shape_after(const ConvolutionRow& row, const MapShape& in);
-
-/// Convolution without bias and the batch normalisation after it (Ioffe and Szegedy 2015) as one: where the statistics
-/// are fixed, the latter is a factor and a shift for each channel. Takes PREFIX.conv.weight and PREFIX.norm.*.
-AffineLayer convolution(NamedWeights& weights, const std::string& prefix, const MapShape& in,
-                        const ConvolutionRow& row);
-
-/// A kernel [outputs][inputs][kernel_px][kernel_px] that batch normalisation has been folded into.
-struct FoldedKernel {
-    std::vector<float> values;
-    Floats bias;
-};
-FoldedKernel folded_kernel(NamedWeights& weights, const std::string& prefix, std::size_t outputs, std::size_t inputs,
-                           std::size_t kernel_px);
 
 struct LinearRow {
     std::size_t inputs = 0;

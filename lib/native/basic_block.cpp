@@ -12,11 +12,11 @@ ConvolutionRow first_row(std::size_t channels, std::size_t stride) {
 BasicBlock::BasicBlock(NamedWeights& weights, const std::string& prefix, const MapShape& in, std::size_t channels,
                        std::size_t stride)
     : out_shape_(shape_after(first_row(channels, stride), in)),
-      first_(convolution(weights, prefix + ".first", in, first_row(channels, stride))),
-      second_(convolution(weights, prefix + ".second", out_shape_, {.channels = channels, .relu = true})) {
+      first_(weights, prefix + ".first", in, first_row(channels, stride)),
+      second_(weights, prefix + ".second", out_shape_, {.channels = channels, .relu = true}) {
     if (in.channels != channels || stride != 1) {
-        projection_ =
-            convolution(weights, prefix + ".projection", in, {.channels = channels, .kernel_px = 1, .stride = stride});
+        projection_.emplace(weights, prefix + ".projection", in,
+                            ConvolutionRow{.channels = channels, .kernel_px = 1, .stride = stride});
     }
 }
 

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "native/affine_layer.hpp"
+#include "native/convolution.hpp"
 
 namespace ddtool::native {
 
@@ -18,9 +18,9 @@ public:
 
 private:
     MapShape out_shape_;
-    AffineLayer first_;
-    AffineLayer second_;
-    std::optional<AffineLayer> projection_;
+    Convolution first_;
+    Convolution second_;
+    std::optional<Convolution> projection_;
 };
 
 }  // namespace ddtool::native

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "base/lanes.hpp"
+
 namespace ddtool::native {
 namespace {
 

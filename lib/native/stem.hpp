@@ -2,8 +2,9 @@
 
 #include <span>
 
-#include "native/affine_layer.hpp"
 #include "native/dd_tables.hpp"
+#include "native/folded_kernel.hpp"
+#include "native/map_shape.hpp"
 
 namespace ddtool::native {
 
