@@ -133,7 +133,7 @@ void Trainer::run_epoch() {
         save_if_due();
     }
     if (state_.step == steps) {
-        end_epoch();
+        end_epoch(steps);
     }
     save_last();
 }
@@ -161,9 +161,7 @@ void Trainer::take_step(learning::Batch& batch, std::size_t steps_per_epoch) {
     (losses.sum() / samples_per_rank).backward();
     ranks_.average_gradients(parameters_);
     torch::nn::utils::clip_grad_norm_(parameters_, settings.optimizer.largest_gradient_norm);
-    rate_ = learning_rate(settings.optimizer, state_.epoch * steps_per_epoch + state_.step,
-                          settings.epochs * steps_per_epoch);
-    set_learning_rate(*optimizer_, rate_);
+    set_learning_rate(*optimizer_, rate_of_step(state_.step, steps_per_epoch));
     optimizer_->step();
     state_.sums.loss += loss;
     state_.sums.correct += (logits.argmax(1) == tensors.classes).sum().item<double>();
@@ -172,7 +170,12 @@ void Trainer::take_step(learning::Batch& batch, std::size_t steps_per_epoch) {
     ++state_.step;
 }
 
-void Trainer::end_epoch() {
+double Trainer::rate_of_step(std::size_t step, std::size_t steps_per_epoch) const {
+    return learning_rate(state_.settings.optimizer, state_.epoch * steps_per_epoch + step,
+                         state_.settings.epochs * steps_per_epoch);
+}
+
+void Trainer::end_epoch(std::size_t steps) {
     const Clock::time_point start = Clock::now();
     const LossSums& own = state_.sums;
     const std::vector<double> sums = ranks_.sums({own.loss, own.correct, own.count});
@@ -183,7 +186,7 @@ void Trainer::end_epoch() {
     // Every rank must draw the same conclusion, so all take rank 0's figures.
     const std::vector<double> figures = ranks_.of_leader({found.loss, found.accuracy, found.f1, found.auc});
     state_.history.push_back({.epoch = state_.epoch + 1,
-                              .learning_rate = rate_,
+                              .learning_rate = rate_of_step(steps - 1, steps),
                               .train_loss = sums[0] / sums[2],
                               .train_accuracy = sums[1] / sums[2],
                               .validation_loss = figures[0],

@@ -33,7 +33,9 @@ private:
     void resume();
     void run_epoch();
     void take_step(learning::Batch& batch, std::size_t steps_per_epoch);
-    void end_epoch();
+    /// Of a step of the epoch under way.
+    [[nodiscard]] double rate_of_step(std::size_t step, std::size_t steps_per_epoch) const;
+    void end_epoch(std::size_t steps);
     [[nodiscard]] native::ModelDescription description() const;
     void save_last();
     void save_if_due();
@@ -51,7 +53,6 @@ private:
     std::vector<torch::Tensor> parameters_;
     std::unique_ptr<torch::optim::Optimizer> optimizer_;
     TrainingState state_;
-    double rate_ = 0.0;
     Clock::time_point last_save_ = Clock::now();
     Progress progress_;
     InterruptRequest interrupt_;

@@ -92,6 +92,26 @@ TEST_F(TrainerTest, StoppedAndResumedGivesTheSameBytes) {
     EXPECT_EQ(read_file(straight.out / "best.pt"), read_file(broken.out / "best.pt"));
 }
 
+TEST_F(TrainerTest, AnEpochThatFailedAtItsEndIsEndedTheSameAfterwards) {
+    const learning::TrainRequest straight = request("straight");
+    train(straight);
+    learning::TrainRequest broken = request("broken");
+    broken.resume = true;
+    broken.checkpoint_interval_s = 0.0;
+    std::filesystem::create_directories(broken.out / "best.pt");  // where the file should go
+    EXPECT_THAT(test::thrown_text([&] { train(broken); }), testing::HasSubstr("best.pt"));
+    std::filesystem::remove(broken.out / "best.pt");
+    train(broken);
+    const std::vector<learning::EpochRecord> expected = Checkpoint(straight.out / "last.pt").state().history;
+    const std::vector<learning::EpochRecord> found = Checkpoint(broken.out / "last.pt").state().history;
+    ASSERT_EQ(found.size(), expected.size());
+    for (std::size_t epoch = 0; epoch < found.size(); ++epoch) {
+        EXPECT_EQ(found[epoch].learning_rate, expected[epoch].learning_rate);
+        EXPECT_EQ(found[epoch].train_loss, expected[epoch].train_loss);
+        EXPECT_EQ(found[epoch].validation_loss, expected[epoch].validation_loss);
+    }
+}
+
 TEST_F(TrainerTest, OnlyTheSameTrainingIsResumed) {
     learning::TrainRequest first = request("out");
     first.settings.epochs = 1;
