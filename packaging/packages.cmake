@@ -28,5 +28,5 @@ set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libddtool-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 string(JOIN ", " CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
   cmake pkg-config libeigen3-dev nlohmann-json3-dev libspdlog-dev libfastcdr-dev libprotobuf-dev protobuf-compiler
-  libpng-dev liblz4-dev libzstd-dev zlib1g-dev libbz2-dev libsqlite3-dev libyaml-cpp-dev)
+  libpng-dev liblz4-dev libzstd-dev zlib1g-dev libmd-dev libbz2-dev libsqlite3-dev libyaml-cpp-dev)
 include(CPack)

@@ -1,8 +1,12 @@
 #include "engine/torch_engine.hpp"
 #include "engine_provider.hpp"
+#include "surroundings.hpp"
 
 namespace ddtool {
 
-const learning::Engine& provide_engine() { return torch_engine(); }
+const learning::Engine& provide_engine() {
+    expect_memory_for_libtorch();
+    return torch_engine();
+}
 
 }  // namespace ddtool

@@ -1,6 +1,7 @@
 #include <exception>
 #include <memory>
 
+#include "base/failure_text.hpp"
 #include "base/log.hpp"
 #include "build_dataset_command.hpp"
 #include "compare_command.hpp"
@@ -16,6 +17,7 @@
 #include "score_command.hpp"
 #include "simulate_command.hpp"
 #include "slam_command.hpp"
+#include "surroundings.hpp"
 #include "train_command.hpp"
 
 namespace ddtool {
@@ -39,20 +41,26 @@ CommandTable all_commands() {
     return table;
 }
 
+ExitCode run_reporting_failure(int argc, char** argv) {
+    try {
+        reserve_standard_descriptors();
+        explain_bus_errors();
+#ifdef DDTOOL_WITH_TORCH
+        learning::set_engine_provider(provide_engine);
+#endif
+        const ExitCode code = run_program(all_commands(), argc, argv);
+        flush_results();
+        return code;
+    } catch (const Error& error) {
+        log_error(error.what());
+        return error.code();
+    } catch (const std::exception& error) {
+        log_error(failure_text(error));
+        return ExitCode::failed;
+    }
+}
+
 }  // namespace
 }  // namespace ddtool
 
-int main(int argc, char** argv) {
-    try {
-#ifdef DDTOOL_WITH_TORCH
-        ddtool::learning::set_engine_provider(ddtool::provide_engine);
-#endif
-        return static_cast<int>(ddtool::run_program(ddtool::all_commands(), argc, argv));
-    } catch (const ddtool::Error& error) {
-        ddtool::log_error(error.what());
-        return static_cast<int>(error.code());
-    } catch (const std::exception& error) {
-        ddtool::log_error(error.what());
-        return static_cast<int>(ddtool::ExitCode::failed);
-    }
-}
+int main(int argc, char** argv) { return ddtool::exit_status(ddtool::run_reporting_failure(argc, argv)); }

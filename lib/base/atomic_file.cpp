@@ -10,14 +10,16 @@
 #include <string>
 #include <utility>
 
-#include "base/error.hpp"
-
 namespace ddtool {
 namespace {
 
-[[noreturn]] void fail(const std::filesystem::path& path, const char* doing) {
+std::string failure(const std::filesystem::path& path, const char* doing) {
     // A stream may fail without a system call that did.
-    throw Error(path.string() + ": cannot " + doing + (errno == 0 ? "" : std::string(": ") + std::strerror(errno)));
+    return path.string() + ": cannot " + doing + (errno == 0 ? "" : std::string(": ") + std::strerror(errno));
+}
+
+[[noreturn]] void fail(const std::filesystem::path& path, const char* doing) {
+    throw OutputError(failure(path, doing));
 }
 
 void sync_to_disk(const std::filesystem::path& path) {
@@ -34,7 +36,10 @@ void sync_to_disk(const std::filesystem::path& path) {
 
 }  // namespace
 
-AtomicFile::AtomicFile(std::filesystem::path path) : path_(std::move(path)), part_(path_.string() + ".part") {}
+AtomicFile::AtomicFile(std::filesystem::path path) : path_(std::move(path)), part_(path_.string() + ".part") {
+    std::error_code ignored;
+    std::filesystem::remove(part_, ignored);
+}
 
 AtomicFile::~AtomicFile() {
     if (!committed_) {
@@ -75,12 +80,12 @@ std::string read_file(const std::filesystem::path& path) {
     errno = 0;
     std::ifstream stream(path, std::ios::binary);
     if (!stream) {
-        fail(path, "read");
+        throw Error(failure(path, "read"));
     }
     std::ostringstream content;
     content << stream.rdbuf();
     if (stream.bad() || errno != 0) {  // a folder opens, but cannot be read
-        fail(path, "read");
+        throw Error(failure(path, "read"));
     }
     return std::move(content).str();
 }

@@ -2,7 +2,7 @@
 
 #include <system_error>
 
-#include "base/error.hpp"
+#include "base/atomic_file.hpp"
 
 namespace ddtool {
 
@@ -10,7 +10,7 @@ std::filesystem::path made_folder(std::filesystem::path folder) {
     std::error_code failure;
     std::filesystem::create_directories(folder, failure);
     if (failure) {
-        throw Error(folder.string() + ": cannot create the folder: " + failure.message());
+        throw OutputError(folder.string() + ": cannot create the folder: " + failure.message());
     }
     return folder;
 }

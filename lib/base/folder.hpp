@@ -4,7 +4,7 @@
 
 namespace ddtool {
 
-/// The folder, made with its parents where it is not there. Throws Error naming it and the system's reason.
+/// The folder, made with its parents where it is not there. Throws OutputError naming it and the system's reason.
 std::filesystem::path made_folder(std::filesystem::path folder);
 
 }  // namespace ddtool

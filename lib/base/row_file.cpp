@@ -1,5 +1,7 @@
 #include "base/row_file.hpp"
 
+#include <cerrno>
+#include <cstring>
 #include <fstream>
 #include <string>
 
@@ -9,9 +11,10 @@ namespace ddtool {
 
 void for_each_row(const std::filesystem::path& path, std::string_view expected,
                   const std::function<bool(std::string_view line)>& take) {
+    errno = 0;
     std::ifstream file(path);
     if (!file || std::filesystem::is_directory(path)) {
-        throw Error(path.string() + ": cannot open");
+        throw Error(path.string() + ": cannot open: " + std::strerror(errno == 0 ? EISDIR : errno));
     }
     std::string line;
     for (std::size_t number = 1; std::getline(file, line); ++number) {

@@ -2,6 +2,8 @@
 
 #include <map>
 
+#include "base/atomic_file.hpp"
+#include "base/failure_text.hpp"
 #include "base/task_progress.hpp"
 #include "compare/cell_run.hpp"
 
@@ -41,8 +43,10 @@ RunOutcome run_cells(const Experiment& experiment, const std::vector<Cell>& cell
         CellResult& result = outcome.results[missing[task]];
         try {
             result = run_cell(experiment, cell, store, program, [&](double share) { progress.update(task, share); });
+        } catch (const OutputError&) {
+            throw;
         } catch (const std::exception& error) {
-            result.failure = error.what();
+            result.failure = failure_text(error);
         }
         const std::string title = title_of(experiment, cell);
         if (result.failure.empty()) {

@@ -3,7 +3,8 @@
 #include <charconv>
 #include <chrono>
 
-#include "base/error.hpp"
+#include "base/atomic_file.hpp"
+#include "base/failure_text.hpp"
 #include "base/process_usage.hpp"
 #include "base/task_progress.hpp"
 
@@ -56,8 +57,10 @@ std::vector<RunResult> make_parts(const RunPlan& plan, const WorkShare& share, P
             const SnapshotRun made = make_run(run, [&](double done) { progress.update(task, done); });
             result.part = store.save(run, made, program);
             progress.finish(task, title_of(plan, run), note_of(made, start));
+        } catch (const OutputError&) {
+            throw;
         } catch (const std::exception& error) {
-            result.failure = error.what();
+            result.failure = failure_text(error);
             progress.fail(task, title_of(plan, run), result.failure);
         }
         return_freed_memory();

@@ -34,9 +34,17 @@ ShardFile write_rows(const std::filesystem::path& folder, const std::string& fil
     return {file, rows, written.bytes().size(), checksum(written.bytes())};
 }
 
+/// A manifest comes with the data, which may come from anyone: it names files of its own folder only.
+void expect_beside(const std::filesystem::path& folder, const std::string& name) {
+    if (name.empty() || name == ".." || std::filesystem::path(name).filename() != name) {
+        throw Error(folder.string() + ": its list of shards names '" + name + "'; expected a file of this folder");
+    }
+}
+
 template <typename Row>
 MappedNpy<Row> checked(const std::filesystem::path& folder, const ShardFile& entry, const NpyFormat& format,
                        Check check) {
+    expect_beside(folder, entry.file);
     const std::filesystem::path path = folder / entry.file;
     MappedNpy<Row> map(path, format);
     if (map.rows().size() != entry.rows) {

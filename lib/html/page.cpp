@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/atomic_file.hpp"
+#include "base/failure_text.hpp"
 #include "base/log.hpp"
 #include "html/assets.hpp"
 #include "html/data_uri.hpp"
@@ -189,7 +190,7 @@ bool write_page(const std::filesystem::path& file, const std::function<Page()>& 
     } catch (const std::exception& error) {
         std::error_code ignored;
         std::filesystem::remove(file, ignored);
-        log_warning("no report: " + std::string(error.what()));
+        log_warning("no report: " + failure_text(error));
         return false;
     }
 }

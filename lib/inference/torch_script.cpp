@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "base/atomic_file.hpp"
+#include "base/checksums.hpp"
 #include "base/error.hpp"
 #include "inference/output_values.hpp"
 #include "inference/torch_model.hpp"
@@ -93,6 +94,7 @@ bool is_exported_model(const std::filesystem::path& path) {
 
 std::unique_ptr<native::DegreeModel> load_torch_script(const std::filesystem::path& path,
                                                        const learning::RunOptions& options) {
+    expect_listed_checksum(path);
     torch::jit::ExtraFilesMap extra{{description_file, ""}};
     torch::jit::Module module;
     try {

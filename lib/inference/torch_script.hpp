@@ -18,7 +18,8 @@ void write_torch_script(const std::filesystem::path& path, models::Network& netw
 /// neither.
 bool is_exported_model(const std::filesystem::path& path);
 
-/// A model that write_torch_script() wrote. Throws Error naming the file for one that is damaged or not of ddtool.
+/// A model that write_torch_script() wrote. Throws Error naming the file for one that is damaged, not of ddtool,
+/// or listed otherwise in a SHA256SUMS beside it.
 /// TorchScript is a program: load only files you trust.
 std::unique_ptr<native::DegreeModel> load_torch_script(const std::filesystem::path& path,
                                                        const learning::RunOptions& options);

@@ -6,7 +6,6 @@
 
 #include "base/atomic_file.hpp"
 #include "base/crc.hpp"
-#include "base/error.hpp"
 #include "tensorboard_event.pb.h"
 
 namespace ddtool::learning {
@@ -48,7 +47,7 @@ tensorboard::Event event_of(const StepScalars& step) {
 void append_to_file(const std::filesystem::path& path, std::string_view bytes) {
     std::ofstream out(path, std::ios::binary | std::ios::app);
     if (!out.write(bytes.data(), static_cast<std::streamsize>(bytes.size())).flush()) {
-        throw Error(path.string() + ": cannot be written to its end");
+        throw OutputError(path.string() + ": cannot be written to its end");
     }
 }
 

@@ -5,14 +5,13 @@
 #include <string>
 
 #include "base/crc.hpp"
-#include "base/error.hpp"
 
 namespace ddtool {
 namespace {
 
 void require(const std::ostream& stream, const std::filesystem::path& path, const char* doing) {
     if (!stream) {
-        throw Error(path.string() + ": cannot " + doing + ": " + std::strerror(errno));
+        throw OutputError(path.string() + ": cannot " + doing + ": " + std::strerror(errno));
     }
 }
 

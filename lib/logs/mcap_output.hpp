@@ -12,7 +12,7 @@
 namespace ddtool {
 
 /// A file being written, that knows its length and the CRC-32 of the section being written. It appears under its name
-/// at commit(). Every call throws Error, naming the file, when it cannot be written.
+/// at commit(). Every call throws OutputError, naming the file, when it cannot be written.
 class McapOutput {
 public:
     explicit McapOutput(const std::filesystem::path& path);

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "base/atomic_file.hpp"
+#include "base/checksums.hpp"
 #include "base/error.hpp"
 #include "base/settings.hpp"
 #include "native/dd_network.hpp"
@@ -61,6 +62,7 @@ const DDModelTable& table_of(const std::string& network) {
 }  // namespace
 
 std::unique_ptr<DegreeModel> load_model(const std::filesystem::path& path) {
+    expect_listed_checksum(path);
     return load_model(read_file(path), path.string());
 }
 

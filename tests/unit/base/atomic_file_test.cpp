@@ -80,6 +80,16 @@ TEST(AtomicFile, AfterCommitLeavesTheNextWritersPartAlone) {
     EXPECT_EQ(read_file(folder / "a.part"), "second, by another");
 }
 
+TEST(AtomicFile, DoesNotFollowALinkUnderThePartsName) {
+    const TemporaryFolder folder;
+    write_file(folder / "elsewhere", "precious");
+    std::filesystem::create_symlink(folder / "elsewhere", folder / "a.part");
+    write_file(folder / "a", "new");
+    EXPECT_EQ(read_file(folder / "elsewhere"), "precious");
+    EXPECT_EQ(read_file(folder / "a"), "new");
+    EXPECT_FALSE(std::filesystem::is_symlink(folder / "a"));
+}
+
 TEST(ReadFile, NamesTheFileAndTheReason) {
     const TemporaryFolder folder;
     EXPECT_THAT(thrown_text([&] { read_file(folder / "none"); }), HasSubstr("none: cannot read: No such file"));

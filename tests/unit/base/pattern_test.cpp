@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+
 namespace ddtool {
 namespace {
 
@@ -13,6 +15,14 @@ TEST(Expand, PutsWorldAndSeedInEveryPlace) {
 TEST(Expand, DoesNotLookIntoWhatItPutIn) { EXPECT_EQ(expand("{world}", "{world}", 1), "{world}"); }
 
 TEST(FileNameOf, KeepsOnlyWhatIsSafe) { EXPECT_EQ(file_name_of("random:office/1 a-b_c.d"), "random_office_1_a-b_c.d"); }
+
+TEST(FileNameOf, StaysInTheFolderWhateverTheName) {
+    for (const std::string name : {"../../etc/passwd", "/etc/passwd", "a/../../b", "..\\b", "a\nb"}) {
+        const std::filesystem::path file = "pictures/" + file_name_of(name) + "-maps.png";
+        EXPECT_EQ(file.parent_path(), "pictures") << name;
+        EXPECT_EQ(file.lexically_normal(), file) << name;
+    }
+}
 
 }  // namespace
 }  // namespace ddtool

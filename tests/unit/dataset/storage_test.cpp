@@ -76,6 +76,18 @@ TEST_F(StorageTest, NamesAMissingShard) {
     EXPECT_THAT(opening(), HasSubstr("shard-0001.particles.npy: cannot read: No such file"));
 }
 
+TEST_F(StorageTest, ReadsNoShardOfAnotherFolder) {
+    const std::string whole = read_file(root_ / manifest_name);
+    for (const std::string& name :
+         {(root_ / "shard-0001.samples.npy").string(), std::string("../shard-0001.samples.npy"),
+          std::string("below/shard-0001.samples.npy"), std::string(".."), std::string()}) {
+        Json wrong = Json::parse(whole);
+        wrong["shards"][1]["samples"]["file"] = name;
+        write_file(root_ / manifest_name, wrong.dump());
+        EXPECT_THAT(opening(), HasSubstr("names '" + name + "'; expected a file of this folder"));
+    }
+}
+
 TEST_F(StorageTest, NamesATruncatedShard) {
     const auto file = root_ / "shard-0000.samples.npy";
     std::filesystem::resize_file(file, std::filesystem::file_size(file) - 1);

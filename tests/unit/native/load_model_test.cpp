@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 
+#include "base/atomic_file.hpp"
 #include "base/settings.hpp"
 #include "dd_weights.hpp"
 #include "temporary_folder.hpp"
@@ -56,6 +57,12 @@ std::vector<float> drawn_images(std::size_t count) {
 }
 
 double logit(double degree) { return std::log(degree / (1.0 - degree)); }
+
+TEST_F(LoadModel, RefusesAFileThatIsListedWithAnotherChecksum) {
+    EXPECT_EQ(error(), "");
+    write_file(folder_ / "SHA256SUMS", std::string(64, '0') + "  model.safetensors\n");
+    EXPECT_THAT(error(), HasSubstr("model.safetensors: damaged or another file"));
+}
 
 TEST_F(LoadModel, GivesABatchTheDegreesOfItsImages) {
     const std::vector<float> images = drawn_images(3);

@@ -1,0 +1,31 @@
+#include "base/failure_text.hpp"
+
+#include <algorithm>
+#include <array>
+#include <new>
+#include <string_view>
+
+namespace ddtool {
+namespace {
+
+/// Those of OpenCV and of LibTorch.
+constexpr std::array<std::string_view, 2> words_for_short_memory{"(-4:Insufficient memory)", "can't allocate memory"};
+
+bool tells_of_short_memory(const std::exception& failure) {
+    const std::string_view text = failure.what();
+    return dynamic_cast<const std::bad_alloc*>(&failure) != nullptr ||
+           std::ranges::any_of(words_for_short_memory,
+                               [&](std::string_view words) { return text.find(words) != std::string_view::npos; });
+}
+
+}  // namespace
+
+std::string failure_text(const std::exception& failure) {
+    if (tells_of_short_memory(failure)) {
+        return "not enough memory: the system, or a limit (ulimit -v), gives no more";
+    }
+    const std::string text = failure.what();
+    return text.substr(0, text.find('\n'));
+}
+
+}  // namespace ddtool
