@@ -8,8 +8,9 @@
 namespace ddtool {
 namespace {
 
-/// Those of OpenCV and of LibTorch.
-constexpr std::array<std::string_view, 2> words_for_short_memory{"(-4:Insufficient memory)", "can't allocate memory"};
+/// Those of OpenCV, of LibTorch and of oneTBB, whose threads want memory for their stacks.
+constexpr std::array<std::string_view, 3> words_for_short_memory{"(-4:Insufficient memory)", "can't allocate memory",
+                                                                 "pthread_create has failed"};
 
 bool tells_of_short_memory(const std::exception& failure) {
     const std::string_view text = failure.what();

@@ -19,6 +19,7 @@ TEST(FailureText, NamesAShortageOfMemoryTheSameWhoeverSawIt) {
     EXPECT_EQ(failure_text(std::runtime_error(
                   "OpenCV(4.6.0) ./alloc.cpp:73: error: (-4:Insufficient memory) Failed to allocate 9 bytes")),
               text);
+    EXPECT_EQ(failure_text(std::runtime_error("pthread_create has failed: Resource temporarily unavailable")), text);
     EXPECT_EQ(
         failure_text(std::runtime_error(
             "[enforce fail at alloc_cpu.cpp:83] err == 0. DefaultCPUAllocator: can't allocate memory: you tried")),
