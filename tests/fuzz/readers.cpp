@@ -1,35 +1,29 @@
 #include "readers.hpp"
 
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <stdexcept>
 
 #include "base/error.hpp"
 #include "base/settings.hpp"
 #include "compare/experiment.hpp"
+#include "dataset/build_settings.hpp"
 #include "eval/relations.hpp"
 #include "geometry/tum_file.hpp"
+#include "input_file.hpp"
+#include "learning/train_settings.hpp"
 #include "logs/log_inventory.hpp"
 #include "logs/log_stream.hpp"
+#include "logs/rosbag2_folder.hpp"
 #include "native/load_model.hpp"
+#include "serve/foxglove_protocol.hpp"
+#include "sim/world_catalogue.hpp"
 #include "slam/settings_json.hpp"
-#include "temporary_folder.hpp"
 
 namespace ddtool::fuzz {
 namespace {
 
 /// Beyond this many scans a small input has been read as something that it is not.
 constexpr std::size_t most_scans = 100'000;
-
-/// Not by write_file(): nothing here need outlive a crash, and a rename for each of a million inputs takes its time.
-std::filesystem::path written(std::span<const char> content, const std::string& name) {
-    static const test::TemporaryFolder folder;
-    const std::filesystem::path path = folder / name;
-    std::ofstream(path, std::ios::binary | std::ios::trunc)
-        .write(content.data(), static_cast<std::streamsize>(content.size()));
-    return path;
-}
 
 void ignore(const LogProblem& /*problem*/) {}
 
@@ -41,7 +35,7 @@ void expect_sound(const SensorFrame& frame) {
 
 /// Bags, MCAP, .db3 and CARMEN are told apart by content.
 void read_log(std::span<const char> content) {
-    const std::filesystem::path path = written(content, "log");
+    const std::filesystem::path path = input_file(content, "log");
     const std::unique_ptr<LogStream> log = open_log(path, {}, ignore);
     std::size_t scans = 0;
     while (const std::optional<SensorFrame> frame = log->next()) {
@@ -53,35 +47,66 @@ void read_log(std::span<const char> content) {
 }
 
 void read_inventory(std::span<const char> content) {
-    (void)take_inventory(written(content, "log"), ignore, [](double /*share*/) {});
+    (void)take_inventory(input_file(content, "log"), ignore, [](double /*share*/) {});
 }
 
-void read_settings(std::span<const char> content) {
-    Json filter = filter_settings_json({});
-    merge_settings_file(filter, written(content, "settings.json"));
-    (void)filter_settings_from_json(filter);
-}
-
-void read_experiment(std::span<const char> content) {
-    Json experiment = compare::default_experiment_json();
-    merge_settings_file(experiment, written(content, "experiment.json"));
-    (void)compare::experiment_from_json(experiment);
+void read_metadata(std::span<const char> content) {
+    (void)rosbag2_files(input_file(content, "metadata.yaml").parent_path(), ignore);
 }
 
 void read_network(std::span<const char> content) {
     (void)native::load_model(std::string_view(content.data(), content.size()), "model.safetensors");
 }
 
-void read_trajectory(std::span<const char> content) { (void)read_tum(written(content, "trajectory.tum")); }
+void read_filter_settings(std::span<const char> content) {
+    Json filter = filter_settings_json({});
+    merge_settings_file(filter, input_file(content, "settings.json"));
+    (void)filter_settings_from_json(filter);
+}
 
-void read_relation_file(std::span<const char> content) { (void)read_relations(written(content, "log.relations")); }
+void read_experiment(std::span<const char> content) {
+    Json experiment = compare::default_experiment_json();
+    merge_settings_file(experiment, input_file(content, "settings.json"));
+    (void)compare::experiment_from_json(experiment);
+}
+
+void read_build_settings(std::span<const char> content) {
+    Json build = dataset::default_build_json();
+    merge_settings_file(build, input_file(content, "settings.json"));
+    (void)dataset::assembly_from_json(build);
+}
+
+void read_train_settings(std::span<const char> content) {
+    Json train = learning::TrainSettings{};
+    merge_settings_file(train, input_file(content, "settings.json"));
+    learning::expect_valid(train.get<learning::TrainSettings>());
+}
+
+void read_world(std::span<const char> content) { (void)sim::load_world(input_file(content, "world.json").string()); }
+
+void read_trajectory(std::span<const char> content) { (void)read_tum(input_file(content, "trajectory.tum")); }
+
+void read_relation_file(std::span<const char> content) { (void)read_relations(input_file(content, "log.relations")); }
+
+void read_request(std::span<const char> content) {
+    (void)foxglove::parse_request(std::string(content.begin(), content.end()));
+}
+
+using Read = void (*)(std::span<const char>);
 
 /// Errors of ours are answers.
-Reader tolerant(void (*read)(std::span<const char>)) {
-    return [read](std::span<const char> content) {
-        try {
-            read(content);
-        } catch (const Error&) {
+void read_tolerantly(Read read, std::span<const char> content) {
+    try {
+        read(content);
+    } catch (const Error&) {
+    }
+}
+
+/// One input for several: what only one of them understands costs the others little.
+Reader reader(std::vector<Read> reads) {
+    return [reads = std::move(reads)](std::span<const char> content) {
+        for (const Read read : reads) {
+            read_tolerantly(read, content);
         }
     };
 }
@@ -89,13 +114,16 @@ Reader tolerant(void (*read)(std::span<const char>)) {
 }  // namespace
 
 const std::map<std::string, Reader>& readers() {
-    static const std::map<std::string, Reader> all{{"log", tolerant(read_log)},
-                                                   {"inventory", tolerant(read_inventory)},
-                                                   {"settings", tolerant(read_settings)},
-                                                   {"experiment", tolerant(read_experiment)},
-                                                   {"network", tolerant(read_network)},
-                                                   {"trajectory", tolerant(read_trajectory)},
-                                                   {"relations", tolerant(read_relation_file)}};
+    static const std::map<std::string, Reader> all{
+        {"log", reader({read_log, read_inventory})},
+        {"message", reader({read_message})},
+        {"metadata", reader({read_metadata})},
+        {"dataset", reader({read_dataset})},
+        {"network", reader({read_network})},
+        {"configuration",
+         reader({read_filter_settings, read_experiment, read_build_settings, read_train_settings, read_world})},
+        {"poses", reader({read_trajectory, read_relation_file})},
+        {"request", reader({read_request})}};
     return all;
 }
 

@@ -12,4 +12,7 @@ namespace ddtool::fuzz {
 using Reader = std::function<void(std::span<const char> content)>;
 const std::map<std::string, Reader>& readers();
 
+void read_message(std::span<const char> content);
+void read_dataset(std::span<const char> content);
+
 }  // namespace ddtool::fuzz

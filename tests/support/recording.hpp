@@ -58,8 +58,9 @@ inline Recording example_recording() {
     return recording;
 }
 
-inline void write_mcap(const std::filesystem::path& path, const Recording& recording) {
-    McapWriter writer(path, {});
+inline void write_mcap(const std::filesystem::path& path, const Recording& recording,
+                       const McapWriterOptions& options = {}) {
+    McapWriter writer(path, options);
     std::map<std::string, std::uint16_t> channels;
     for (const RecordedMessage& message : recording) {
         if (!channels.contains(message.topic)) {

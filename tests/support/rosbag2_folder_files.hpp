@@ -39,7 +39,7 @@ inline void write_db3_folder(const std::filesystem::path& folder, const Recordin
 }
 
 inline void write_mcap_folder(const std::filesystem::path& folder, const Recording& recording, std::size_t parts) {
-    write_folder(folder, recording, parts, write_mcap);
+    write_folder(folder, recording, parts, [](const auto& path, const Recording& part) { write_mcap(path, part); });
 }
 
 }  // namespace ddtool::test

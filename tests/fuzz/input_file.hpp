@@ -1,0 +1,22 @@
+#pragma once
+
+#include <filesystem>
+#include <fstream>
+#include <span>
+#include <string>
+
+#include "temporary_folder.hpp"
+
+namespace ddtool::fuzz {
+
+/// A file of that name and content, good until the next of the name. Not by write_file(): nothing here need outlive a
+/// crash, and a rename for each of a million inputs takes its time.
+inline std::filesystem::path input_file(std::span<const char> content, const std::string& name) {
+    static const test::TemporaryFolder folder;
+    std::filesystem::path path = folder / name;
+    std::ofstream(path, std::ios::binary | std::ios::trunc)
+        .write(content.data(), static_cast<std::streamsize>(content.size()));
+    return path;
+}
+
+}  // namespace ddtool::fuzz

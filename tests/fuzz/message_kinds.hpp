@@ -1,0 +1,34 @@
+#pragma once
+
+#include <array>
+
+namespace ddtool::fuzz {
+
+struct MessageType {
+    const char* topic;
+    const char* encoding;
+    const char* schema;
+};
+
+/// What the first byte of an input of the reader "message" chooses from.
+inline constexpr std::array<MessageType, 17> message_types{{
+    {"/scan", "cdr", "sensor_msgs/msg/LaserScan"},
+    {"/odom", "cdr", "nav_msgs/msg/Odometry"},
+    {"/pose", "cdr", "geometry_msgs/msg/PoseStamped"},
+    {"/tf", "cdr", "tf2_msgs/msg/TFMessage"},
+    {"/scan", "ros1", "sensor_msgs/LaserScan"},
+    {"/odom", "ros1", "nav_msgs/Odometry"},
+    {"/pose", "ros1", "geometry_msgs/PoseStamped"},
+    {"/tf", "ros1", "tf/tfMessage"},
+    {"/scan", "protobuf", "foxglove.LaserScan"},
+    {"/pose", "protobuf", "foxglove.PoseInFrame"},
+    {"/tf", "protobuf", "foxglove.FrameTransform"},
+    {"/tf", "protobuf", "foxglove.FrameTransforms"},
+    {"/scan", "json", "foxglove.LaserScan"},
+    {"/pose", "json", "foxglove.PoseInFrame"},
+    {"/tf", "json", "foxglove.FrameTransform"},
+    {"/tf", "json", "foxglove.FrameTransforms"},
+    {"/fisher_information", "cdr", "std_msgs/msg/Float64MultiArray"},
+}};
+
+}  // namespace ddtool::fuzz

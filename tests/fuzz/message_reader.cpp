@@ -1,0 +1,28 @@
+#include <array>
+
+#include "logs/message_decoder.hpp"
+#include "message_kinds.hpp"
+#include "readers.hpp"
+
+namespace ddtool::fuzz {
+
+/// The first byte says what the others are a message of.
+void read_message(std::span<const char> content) {
+    if (content.empty()) {
+        return;
+    }
+    const MessageType& type = message_types.at(static_cast<unsigned char>(content.front()) % message_types.size());
+    McapChannel channel;
+    channel.topic = type.topic;
+    channel.message_encoding = type.encoding;
+    channel.schema.name = type.schema;
+    const McapMessage message{.channel = &channel, .log_time_ns = 1, .data = std::as_bytes(content.subspan(1))};
+    (void)kind_of(channel);
+    (void)decode_scan(message);
+    (void)decode_poses(message);
+    if (is_information(channel)) {
+        (void)decode_information(message);
+    }
+}
+
+}  // namespace ddtool::fuzz
