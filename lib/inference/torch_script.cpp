@@ -11,6 +11,7 @@
 #include "base/error.hpp"
 #include "inference/output_values.hpp"
 #include "inference/torch_model.hpp"
+#include "models/torch_errors.hpp"
 
 namespace ddtool::inference {
 namespace {
@@ -68,6 +69,13 @@ native::ModelDescription description_in(const std::string& text, const std::file
     }
 }
 
+torch::Tensor class_values(torch::Tensor values) {
+    if (values.dim() != 2 || values.size(1) != 2) {
+        throw std::runtime_error("it answers with other than two values an image");
+    }
+    return values;
+}
+
 }  // namespace
 
 void write_torch_script(const std::filesystem::path& path, models::Network& network,
@@ -85,33 +93,34 @@ bool is_exported_model(const std::filesystem::path& path) {
     if (!std::filesystem::is_regular_file(path)) {
         throw Error(path.string() + ": no such file; expected a model of ddtool export, or a checkpoint");
     }
-    try {
-        return has_file(path, description_file);
-    } catch (const c10::Error& error) {
-        throw Error(path.string() + ": neither a TorchScript model nor a checkpoint, or cut short");
-    }
+    return models::guarded_by_path(path, "neither a TorchScript model nor a checkpoint, or cut short",
+                                   [&] { return has_file(path, description_file); });
 }
 
 std::unique_ptr<native::DegreeModel> load_torch_script(const std::filesystem::path& path,
                                                        const learning::RunOptions& options) {
     expect_listed_checksum(path);
     torch::jit::ExtraFilesMap extra{{description_file, ""}};
-    torch::jit::Module module;
-    try {
-        module = torch::jit::load(path.string(), torch::Device(options.device), extra);
-    } catch (const c10::Error& error) {
-        throw Error(path.string() + ": not a TorchScript model: " + error.what_without_backtrace());
-    }
+    const auto guarded = [path](auto&& action) {
+        return models::guarded_by_path(path, "not a TorchScript model of ddtool", action);
+    };
+    torch::jit::Module module =
+        guarded([&] { return torch::jit::load(path.string(), torch::Device(options.device), extra); });
     native::ModelDescription description = description_in(extra.at(description_file), path);
-    module.eval();
-    // Folds batch normalisation into the convolutions and lays the weights out for the processor, in one precision:
-    // what it makes knows no autocast. Only after loading: LibTorch 1.13 cannot save it.
-    if (options.precision == "fp32") {
-        module = torch::jit::optimize_for_inference(module);
-    }
+    guarded([&] {
+        module.eval();
+        // Folds batch normalisation into the convolutions and lays the weights out for the processor, in one precision:
+        // what it makes knows no autocast. Only after loading: LibTorch 1.13 cannot save it.
+        if (options.precision == "fp32") {
+            module = torch::jit::optimize_for_inference(module);
+        }
+    });
     return std::make_unique<TorchModel>(
         std::move(description),
-        [module](const torch::Tensor& images) mutable { return module.forward({images}).toTensor(); }, options);
+        [module, guarded](const torch::Tensor& images) mutable {
+            return guarded([&] { return class_values(module.forward({images}).toTensor()); });
+        },
+        options);
 }
 
 }  // namespace ddtool::inference

@@ -6,6 +6,7 @@
 
 #include "base/atomic_file.hpp"
 #include "base/error.hpp"
+#include "models/torch_errors.hpp"
 
 namespace ddtool::training {
 namespace {
@@ -54,14 +55,7 @@ void write_checkpoint(const std::filesystem::path& path, const models::Network& 
 
 template <typename Action>
 auto Checkpoint::guarded(Action&& action) {
-    try {
-        return action();
-    } catch (const c10::Error& error) {
-        throw Error(path_.string() +
-                    ": not a whole checkpoint: " + std::string(error.what_without_backtrace()).substr(0, 200));
-    } catch (const Json::exception& error) {
-        throw Error(path_.string() + ": damaged checkpoint: " + error.what());
-    }
+    return models::guarded_by_path(path_, "not a whole checkpoint", action);
 }
 
 Checkpoint::Checkpoint(const std::filesystem::path& path) : path_(path) {

@@ -1,6 +1,7 @@
 #include "inference/torch_script.hpp"
 
 #include <gmock/gmock.h>
+#include <torch/script.h>
 
 #include <cstdlib>
 #include <fstream>
@@ -93,6 +94,26 @@ TEST(LoadTorchScript, NamesAFileThatIsNone) {
     write_file(path, "no archive");
     EXPECT_THAT(test::thrown_text([&] { (void)is_exported_model(path); }), testing::StartsWith(path.string()));
     EXPECT_THAT(test::thrown_text([&] { (void)load_torch_script(path, {}); }), testing::StartsWith(path.string()));
+}
+
+/// A module that has a model's description inside, and any code.
+void write_module(const std::filesystem::path& path, const std::string& forward) {
+    torch::jit::Module module("Stranger");
+    module.register_attribute("training", c10::BoolType::get(), false);
+    module.define("def forward(self, images):\n" + forward + "\n");
+    module.save(path.string(), {{"ddtool.json", Json(described("ddmodel-lite", "bce")).dump()}});
+}
+
+TEST(LoadTorchScript, NamesTheFileInOneLineWhenItsCodeFails) {
+    const test::TemporaryFolder folder;
+    const std::filesystem::path path = folder / "model.pt";
+    for (const char* forward : {"    return images", "    assert bool(images.sum() < 0)\n    return images"}) {
+        write_module(path, forward);
+        const std::string text =
+            test::thrown_text([&] { (void)degrees_by(*load_torch_script(path, {}), drawn_images(2)); });
+        EXPECT_THAT(text, testing::StartsWith(path.string() + ": not a TorchScript model of ddtool: ")) << forward;
+        EXPECT_THAT(text, testing::Not(testing::HasSubstr("\n"))) << forward;
+    }
 }
 
 }  // namespace
