@@ -11,6 +11,8 @@
 namespace ddtool {
 namespace {
 
+constexpr int most_levels = 100;
+
 std::size_t edit_distance(const std::string& a, const std::string& b) {
     std::vector<std::size_t> row(b.size() + 1);
     std::iota(row.begin(), row.end(), 0U);
@@ -129,6 +131,16 @@ std::size_t line_of(const std::string& text, std::size_t byte) {
 
 }  // namespace
 
+Json parse_json(std::string_view text, const std::string& source, bool comments) {
+    const auto expect_shallow = [&](int depth, Json::parse_event_t /*event*/, const Json& /*value*/) {
+        if (depth > most_levels) {
+            throw Error(source + ": nested deeper than " + std::to_string(most_levels) + " levels");
+        }
+        return true;
+    };
+    return Json::parse(text, expect_shallow, true, comments);
+}
+
 std::string joined(const std::vector<std::string>& words) {
     std::string text;
     for (const std::string& word : words) {
@@ -139,13 +151,19 @@ std::string joined(const std::vector<std::string>& words) {
 
 std::vector<std::string> nearest_words(const std::string& word, const std::vector<std::string>& known) {
     const auto last_part = [](const std::string& path) { return path.substr(path.find_last_of('.') + 1); };
-    const auto distance = [&](const std::string& each) {
-        return std::pair(edit_distance(last_part(word), last_part(each)), edit_distance(word, each));
-    };
-    std::vector<std::string> words = known;
-    std::stable_sort(words.begin(), words.end(),
-                     [&](const std::string& a, const std::string& b) { return distance(a) < distance(b); });
-    words.resize(std::min<std::size_t>(words.size(), 3));
+    constexpr std::size_t longest = 100;  // nobody mistypes a longer one, and the time grows with it
+    const std::string start = word.substr(0, longest);
+    using Distance = std::pair<std::size_t, std::size_t>;
+    std::vector<std::pair<Distance, std::string>> nearest;
+    for (const std::string& each : known) {
+        nearest.emplace_back(Distance(edit_distance(last_part(start), last_part(each)), edit_distance(start, each)),
+                             each);
+    }
+    std::stable_sort(nearest.begin(), nearest.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::vector<std::string> words;
+    for (std::size_t place = 0; place < std::min<std::size_t>(nearest.size(), 3); ++place) {
+        words.push_back(nearest[place].second);
+    }
     return words;
 }
 
@@ -159,16 +177,14 @@ void merge_settings(Json& settings, const Json& changes, const std::string& sour
 
 void merge_settings_file(Json& settings, const std::filesystem::path& file) {
     std::string text;
-    try {
-        text = read_file(file);
-    } catch (const Error& error) {
-        throw UsageError(error.what());
-    }
     Json changes;
     try {
-        changes = Json::parse(text, nullptr, true, true);
+        text = read_file(file);
+        changes = parse_json(text, file.string(), /*comments=*/true);
     } catch (const Json::parse_error& error) {
         throw UsageError(file.string() + ":" + std::to_string(line_of(text, error.byte)) + ": expected JSON");
+    } catch (const Error& error) {
+        throw UsageError(error.what());
     }
     merge_settings(settings, changes, file.string());
 }

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace ddtool {
@@ -10,6 +11,10 @@ namespace ddtool {
 /// Settings are plain structs with JSON conversions; their defaults written as JSON are the list of known keys.
 /// Keys keep the order of the struct, so an effective configuration reads like the documentation.
 using Json = nlohmann::ordered_json;
+
+/// Parses JSON from outside, where `comments` say so with them. Throws Json::parse_error, and Error naming `source` for
+/// values nested deeper than a hundred levels: what copies and prints them calls itself for each.
+Json parse_json(std::string_view text, const std::string& source, bool comments = false);
 
 /// Puts every value of `changes` into `settings`. Throws UsageError naming `source` and the key for a key that
 /// `settings` does not have (with the nearest known ones) or a value of another type; a list's items are of the type of

@@ -64,7 +64,7 @@ PlainWeights parsed(std::string_view bytes) {
     if (length > bytes.size() - length_bytes) {
         throw Error("a header of " + std::to_string(length) + " bytes in a file of " + std::to_string(bytes.size()));
     }
-    const Json header = Json::parse(bytes.substr(length_bytes, length));
+    const Json header = parse_json(bytes.substr(length_bytes, length), "header");
     const std::string_view data = bytes.substr(length_bytes + length);
     PlainWeights weights;
     for (const auto& [name, entry] : header.items()) {

@@ -106,7 +106,7 @@ std::string data_message(std::uint32_t subscription, std::int64_t stamp_ns, std:
 
 Request parse_request(const std::string& text) {
     try {
-        return request(Json::parse(text));
+        return request(parse_json(text, "request"));
     } catch (const Json::exception& error) {
         throw Error(std::string("not a message of the Foxglove WebSocket protocol: ") + error.what());
     }

@@ -17,9 +17,9 @@ namespace {
 constexpr std::string_view textured_suffix = "-textured";
 constexpr std::string_view random_prefix = "random:";
 
-Json parse_json(const std::string& text, const std::string& source) {
+Json parse_world(const std::string& text, const std::string& source) {
     try {
-        return Json::parse(text, nullptr, true, true);
+        return parse_json(text, source, /*comments=*/true);
     } catch (const Json::parse_error& error) {
         throw UsageError(source + ": not JSON at byte " + std::to_string(error.byte));
     }
@@ -55,7 +55,7 @@ World draw_random(const std::string& name) {
 std::vector<World> parse_builtin_worlds() {
     std::vector<World> worlds;
     for (const std::string_view text : builtin_worlds()) {
-        worlds.push_back(world_from_json(parse_json(std::string(text), "built-in world"), "built-in world"));
+        worlds.push_back(world_from_json(parse_world(std::string(text), "built-in world"), "built-in world"));
     }
     return worlds;
 }
@@ -76,7 +76,7 @@ World load_plain(const std::string& name) {
         return draw_random(name);
     }
     if (name.ends_with(".json")) {
-        return world_from_json(parse_json(read_file(name), name), name);
+        return world_from_json(parse_world(read_file(name), name), name);
     }
     return find_builtin(name);
 }

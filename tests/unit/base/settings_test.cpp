@@ -105,6 +105,10 @@ TEST(Settings, FileMayHoldCommentsAndIsNamedInErrors) {
     EXPECT_THAT(thrown_text<UsageError>([&] { merged("[1]"); }), HasSubstr("a.json: expected a JSON object"));
     EXPECT_THAT(thrown_text<UsageError>([&] { merged("{\"sed\": 5}"); }),
                 AllOf(HasSubstr("a.json"), HasSubstr("'sed'"), HasSubstr("seed")));
+    const auto nested = [](std::size_t levels) { return std::string(levels, '[') + std::string(levels, ']'); };
+    EXPECT_TRUE(merged("{\"limit\": " + nested(99) + "}")["limit"].is_array());
+    EXPECT_THAT(thrown_text<UsageError>([&] { merged("{\"limit\": " + nested(100'000) + "}"); }),
+                HasSubstr("a.json: nested deeper than 100 levels"));
     Json settings = example();
     EXPECT_THAT(thrown_text<UsageError>([&] { merge_settings_file(settings, folder / "none.json"); }),
                 HasSubstr("none.json: cannot read: No such file"));

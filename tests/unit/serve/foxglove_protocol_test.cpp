@@ -103,7 +103,9 @@ INSTANTIATE_TEST_SUITE_P(Requests, BadRequest,
                                          R"({"op":"unsubscribe","subscriptionIds":[0.5]})",
                                          R"({"op":"unsubscribe","subscriptionIds":"1"})",
                                          R"({"op":"getParameters","parameterNames":[]})", "{\"op\":\"\xff\n\"}",
-                                         "{\"op\":\"line\\nline\"}", std::string(60'000, '[')));
+                                         "{\"op\":\"line\\nline\"}", std::string(60'000, '['),
+                                         R"({"op":"unsubscribe","subscriptionIds":[)" + std::string(30'000, '[') +
+                                             std::string(30'000, ']') + "]}"));
 
 }  // namespace
 }  // namespace ddtool
