@@ -43,6 +43,25 @@ Json counts_of(std::span<const SampleRecord> candidates, const BalanceSettings& 
     return json;
 }
 
+void expect_counts(const Json& counts) {
+    const auto expect_classes = [](const Json& by_class) {
+        for (const char* name : class_names) {
+            (void)by_class.at(name).get<std::uint64_t>();
+        }
+    };
+    for (const auto& [rule, of_rule] : counts.items()) {
+        expect_classes(of_rule.at("candidates"));
+        for (const auto& [name, wanted] : of_rule.at("wanted").items()) {
+            (void)of_rule.at("candidates").at(name);
+        }
+        for (const char* split : split_names) {
+            for (const auto& [part, by_class] : of_rule.at(split).items()) {
+                expect_classes(by_class);
+            }
+        }
+    }
+}
+
 std::vector<std::string> shortages_in(const Json& counts) {
     std::vector<std::string> lines;
     for (const auto& [rule, of_rule] : counts.items()) {

@@ -1,17 +1,35 @@
 #include "dataset/dataset.hpp"
 
+#include <algorithm>
+
 #include "base/error.hpp"
 
 namespace ddtool::dataset {
+namespace {
+
+bool is_label(Label label) {
+    return label == Label::unknown || label == Label::not_degenerate || label == Label::degenerate;
+}
+
+std::string fault_of(const SampleRecord& sample, const Manifest& manifest) {
+    if (sample.run >= manifest.runs.size()) {
+        return std::string("a sample's run is not in ") + manifest_name;
+    }
+    if (sample.source >= manifest.sources.size()) {
+        return std::string("a sample's source is not in ") + manifest_name;
+    }
+    return std::ranges::all_of(sample.label, is_label) ? "" : "a sample's label is none";
+}
+
+}  // namespace
 
 Dataset::Dataset(const std::filesystem::path& folder, Check check) : manifest_(read_manifest(folder)) {
     for (const ShardEntry& entry : manifest_.shards) {
         const auto shard = static_cast<std::uint32_t>(shards_.size());
         shards_.emplace_back(folder, entry, check);
         for (const SampleRecord& sample : shards_.back().samples()) {
-            if (sample.run >= manifest_.runs.size()) {
-                throw Error((folder / entry.samples.file).string() + ": damaged: a sample's run is not in " +
-                            manifest_name);
+            if (const std::string fault = fault_of(sample, manifest_); !fault.empty()) {
+                throw Error((folder / entry.samples.file).string() + ": damaged: " + fault);
             }
             places_.push_back({shard, static_cast<std::uint32_t>(&sample - shards_.back().samples().data())});
         }

@@ -3,6 +3,7 @@
 #include "base/atomic_file.hpp"
 #include "base/error.hpp"
 #include "base/json_struct.hpp"
+#include "dataset/counts.hpp"
 
 namespace ddtool::dataset {
 
@@ -16,6 +17,15 @@ namespace {
 constexpr const char* format_key = "ddtool_dataset";
 constexpr int format = 2;
 
+void expect_sound(const Manifest& manifest, const std::filesystem::path& file) {
+    expect_counts(manifest.counts);
+    for (const RunEntry& run : manifest.runs) {
+        if (run.source >= manifest.sources.size()) {
+            throw Error(file.string() + ": damaged: the run " + run.id + " is of a source that is not there");
+        }
+    }
+}
+
 }  // namespace
 
 Manifest read_manifest(const std::filesystem::path& folder) {
@@ -23,18 +33,17 @@ Manifest read_manifest(const std::filesystem::path& folder) {
     if (!std::filesystem::exists(file)) {
         throw Error(file.string() + ": not there; expected a finished data set in " + folder.string());
     }
-    const Json json = Json::parse(read_file(file), nullptr, false);
-    if (!json.is_object() || !json.contains(format_key)) {
-        throw Error(file.string() + ": damaged, or not the manifest of a data set");
-    }
-    if (json.at(format_key) != format) {
-        throw Error(file.string() + ": version " + json.at(format_key).dump() + " of the format; expected " +
-                    std::to_string(format));
-    }
     try {
-        return json.get<Manifest>();
+        const Json json = parse_json(read_file(file), file.string());
+        if (json.at(format_key) != format) {
+            throw Error(file.string() + ": version " + json.at(format_key).dump() + " of the format; expected " +
+                        std::to_string(format));
+        }
+        auto manifest = json.get<Manifest>();
+        expect_sound(manifest, file);
+        return manifest;
     } catch (const Json::exception& error) {
-        throw Error(file.string() + ": " + error.what());
+        throw Error(file.string() + ": damaged, or not the manifest of a data set: " + error.what());
     }
 }
 

@@ -25,7 +25,7 @@ std::map<std::string, ByClass> used_samples(const Dataset& data, LabelRule rule)
     std::map<std::string, ByClass> families;
     for (std::size_t index = 0; index < data.size(); ++index) {
         const SampleRecord& sample = data.sample(index);
-        if (sample.part_of(rule, Split::paper) != Part::unused) {
+        if (sample.part_of(rule, Split::paper) != Part::unused && sample.label_of(rule) != Label::unknown) {
             families[scene_family(data.run_of(sample))][index_of(sample.label_of(rule))].push_back(index);
         }
     }

@@ -1,7 +1,11 @@
+#include <algorithm>
 #include <array>
 #include <filesystem>
 
 #include "base/atomic_file.hpp"
+#include "dataset/counts.hpp"
+#include "dataset/description.hpp"
+#include "imaging/particle_renderer.hpp"
 #include "input_file.hpp"
 #include "known_dataset.hpp"
 #include "readers.hpp"
@@ -9,25 +13,34 @@
 namespace ddtool::fuzz {
 namespace {
 
-constexpr std::size_t npy_header_bytes = 128;
+/// Of an .npy file of format 1.0: magic and version, the length of the text that follows, the text.
+std::size_t header_bytes(std::span<const char> file) {
+    constexpr std::size_t preamble = 10;
+    const auto length = [&](std::size_t at) { return static_cast<std::size_t>(static_cast<unsigned char>(file[at])); };
+    return file.size() < preamble ? file.size() : std::min(file.size(), preamble + length(8) + (length(9) << 8U));
+}
 
 /// A shard's file of the input, and the manifest that fits it: otherwise its size alone would give it away.
 void exchange(dataset::ShardFile& file, std::size_t row_bytes, const std::filesystem::path& folder,
               std::span<const char> content) {
     file.bytes = content.size();
-    file.rows = content.size() < npy_header_bytes ? 0 : (content.size() - npy_header_bytes) / row_bytes;
+    file.rows = (content.size() - header_bytes(content)) / row_bytes;
     std::ofstream(folder / file.file, std::ios::binary | std::ios::trunc)
         .write(content.data(), static_cast<std::streamsize>(content.size()));
 }
 
+/// What `ddtool dataset` and a training do with it.
 void use(const dataset::Dataset& data) {
-    for (std::size_t index = 0; index < data.size(); ++index) {
-        (void)data.run_of(data.sample(index)).scene.size();
-        double sum = 0.0;
-        for (const SnapshotParticle& particle : data.particles(index)) {
-            sum += particle.weight;
+    constexpr std::size_t drawn_samples = 4;
+    (void)dataset::description_json(data);
+    (void)dataset::class_table(data.manifest().counts);
+    (void)dataset::shortages_in(data.manifest().counts);
+    ParticleImage image;
+    for (const Swarm swarm : {Swarm::absolute, Swarm::step, Swarm::response}) {
+        ParticleRenderer renderer({.swarm = swarm, .size_px = 16});
+        for (std::size_t index = 0; index < std::min(drawn_samples, data.size()); ++index) {
+            renderer.render(data.particles(index), image);
         }
-        (void)sum;
     }
     for (const dataset::Part part : {dataset::Part::train, dataset::Part::test}) {
         (void)data.part(dataset::LabelRule::fisher, dataset::Split::held_out, part);

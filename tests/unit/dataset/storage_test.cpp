@@ -117,6 +117,33 @@ TEST_F(StorageTest, NamesAShardWhoseSamplesPointBeyondItsParticles) {
     EXPECT_THAT(opening(), HasSubstr(name + ": damaged: a sample's particles are not in shard-0001.particles.npy"));
 }
 
+TEST_F(StorageTest, NamesAShardWhoseSamplesHaveSourcesRunsOrLabelsThatAreNone) {
+    const std::string name = "shard-0001.samples.npy";
+    const std::string whole = read_file(root_ / name);
+    const std::size_t last_sample = whole.size() - sizeof(SampleRecord);
+    const std::vector<std::pair<std::size_t, std::string>> values{
+        {offsetof(SampleRecord, source) + 3, "a sample's source is not in manifest.json"},
+        {offsetof(SampleRecord, run), "a sample's run is not in manifest.json"},
+        {offsetof(SampleRecord, label) + 1, "a sample's label is none"}};
+    for (const auto& [place, fault] : values) {
+        damage(name, last_sample + place);
+        EXPECT_THAT(opening(), HasSubstr(name + ": damaged: " + fault));
+        write_file(root_ / name, whole);
+    }
+}
+
+TEST_F(StorageTest, NamesAManifestThatContradictsItself) {
+    const Json whole = Json::parse(read_file(root_ / manifest_name));
+    for (const auto& [place, value] : {std::pair<const char*, Json>{"/runs/0/source", 1},
+                                       {"/counts", {{"fisher", 3}}},
+                                       {"/counts", {{"fisher", {{"wanted", {{"odd", 1}}}}}}}}) {
+        Json changed = whole;
+        changed[Json::json_pointer(place)] = value;
+        write_file(root_ / manifest_name, changed.dump());
+        EXPECT_THAT(opening(), HasSubstr("manifest.json: damaged")) << changed;
+    }
+}
+
 TEST_F(StorageTest, WithoutAManifestThereIsNoDataSet) {
     std::filesystem::remove(root_ / manifest_name);
     EXPECT_THAT(opening(), HasSubstr("manifest.json: not there"));
