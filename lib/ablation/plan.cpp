@@ -16,14 +16,20 @@ Json default_training() {
 }
 
 /// NaN for null, which is a dash in the paper's table.
-double figure(const Json& json) { return json.is_null() ? not_printed : json.get<double>(); }
+double figure(const Json& json, const std::string& where) {
+    if (!json.is_null() && !json.is_number()) {
+        throw UsageError(where + ": expected a number or null, not " + json.dump());
+    }
+    return json.is_null() ? not_printed : json.get<double>();
+}
 
 Row row_from(const Json& item, const Json& common, const std::string& where) {
     Json known{{"name", ""}, {"train", common}, {"paper", {{"accuracy", nullptr}, {"f1", nullptr}}}};
     merge_settings(known, item, where);
     known["train"]["seed"] = 0U;
     Row row{known.at("name"), known.at("train").get<learning::TrainSettings>(),
-            figure(known.at("paper").at("accuracy")), figure(known.at("paper").at("f1"))};
+            figure(known.at("paper").at("accuracy"), where + ".paper.accuracy"),
+            figure(known.at("paper").at("f1"), where + ".paper.f1")};
     if (row.name.empty()) {
         throw UsageError(where + ".name: expected a name");
     }
@@ -39,7 +45,8 @@ Timing timing_from(const Json& item, const std::vector<Row>& rows, const std::st
     const Timing defaults;
     Json known{{"row", ""}, {"device", defaults.device}, {"image_file", defaults.image_file}, {"paper_ms", nullptr}};
     merge_settings(known, item, where);
-    Timing timing{known.at("row"), known.at("device"), known.at("image_file"), figure(known.at("paper_ms"))};
+    Timing timing{known.at("row"), known.at("device"), known.at("image_file"),
+                  figure(known.at("paper_ms"), where + ".paper_ms")};
     if (std::none_of(rows.begin(), rows.end(), [&](const Row& row) { return row.name == timing.row; })) {
         throw UsageError(where + ".row: expected the name of a row, not '" + timing.row + "'");
     }

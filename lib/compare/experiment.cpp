@@ -6,6 +6,7 @@
 #include "base/error.hpp"
 #include "base/fingerprint.hpp"
 #include "base/pattern.hpp"
+#include "base/seed_range.hpp"
 #include "sim/simulation_json.hpp"
 #include "slam/settings_json.hpp"
 
@@ -31,16 +32,6 @@ std::vector<Entry> entries_from(const Json& settings, const std::string& list, c
         throw UsageError(list + ": expected one or more");
     }
     return entries;
-}
-
-std::vector<std::uint64_t> seeds_from(const Json& json) {
-    std::vector<std::uint64_t> seeds(json.at("count").get<std::size_t>());
-    if (seeds.empty()) {
-        throw UsageError("seeds.count: expected 1 or more");
-    }
-    std::generate(seeds.begin(), seeds.end(),
-                  [next = json.at("first").get<std::uint64_t>()]() mutable { return next++; });
-    return seeds;
 }
 
 std::size_t baseline_from(const std::string& name, const std::vector<MethodEntry>& methods) {
@@ -84,7 +75,7 @@ Json default_experiment_json() {
 Experiment experiment_from_json(const Json& settings, const DetectorTable& detectors) {
     Experiment experiment{.worlds = entries_from<WorldEntry>(settings, "worlds", "simulation"),
                           .methods = entries_from<MethodEntry>(settings, "methods", "filter", detectors),
-                          .seeds = seeds_from(settings.at("seeds")),
+                          .seeds = seeds_from_json(settings.at("seeds"), "seeds"),
                           .score = score_from(settings.at("score"))};
     experiment.baseline = baseline_from(settings.at("baseline").get<std::string>(), experiment.methods);
     return experiment;

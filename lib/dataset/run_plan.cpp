@@ -6,6 +6,7 @@
 #include "base/error.hpp"
 #include "base/fingerprint.hpp"
 #include "base/pattern.hpp"
+#include "base/seed_range.hpp"
 #include "dataset/build_settings.hpp"
 #include "dataset/variant.hpp"
 #include "sim/simulation_json.hpp"
@@ -18,19 +19,6 @@ namespace {
 
 /// Raised when parts of before no longer hold what this program would compute.
 constexpr int format = 2;
-
-std::vector<std::uint64_t> seeds_of(const Json& item, const std::string& where) {
-    const auto first = item.at("seeds").at("first").get<std::uint64_t>();
-    const auto count = item.at("seeds").at("count").get<std::uint64_t>();
-    if (count == 0) {
-        throw UsageError(where + ".seeds.count: expected 1 or more");
-    }
-    std::vector<std::uint64_t> seeds;
-    for (std::uint64_t seed = first; seed < first + count; ++seed) {
-        seeds.push_back(seed);
-    }
-    return seeds;
-}
 
 /// A plain world and its textured variant are one scene: the robot drives the same way between the same walls.
 std::string plain_name(std::string world) {
@@ -95,7 +83,7 @@ private:
     void add_world(const Json& item, const std::string& where) {
         const auto pattern = item.at("world").get<std::string>();
         std::string last;
-        for (const std::uint64_t seed : seeds_of(item, where)) {
+        for (const std::uint64_t seed : seeds_from_json(item.at("seeds"), where + ".seeds")) {
             const std::string world = expand(pattern, "", seed);
             if (world != last) {
                 add_source("world", world);
@@ -120,7 +108,7 @@ private:
         const std::string name = std::filesystem::path(path).stem().string();
         const std::string content = file_fingerprint(path);
         add_source("log", name);
-        for (const std::uint64_t seed : seeds_of(item, where)) {
+        for (const std::uint64_t seed : seeds_from_json(item.at("seeds"), where + ".seeds")) {
             const Variant variant = draw_variant(item, chance(name, seed), where);
             const Json filter = filter_of(item, variant, seed);
             PlannedRun run{entry_of(item, filter, name), path, {}};

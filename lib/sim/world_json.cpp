@@ -9,6 +9,7 @@ namespace ddtool::sim {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180.0;
+constexpr double most_way_points = 1e6;  ///< of all laps
 
 Json known_world() {
     return {{"name", ""},
@@ -101,6 +102,9 @@ Route route_from(const Json& world, const std::string& source) {
     Route route{.start = {start[0], start[1], start[2] * degree},
                 .way_points = points(world["way_points"], source + ": way_points"),
                 .laps = positive(world["laps"], source + ": laps")};
+    if (route.laps * static_cast<double>(route.way_points.size()) > most_way_points) {
+        throw UsageError(source + ": laps is " + world["laps"].dump() + ", expected at most 1000000 way points in all");
+    }
     if (all_way_points(route).empty()) {
         throw UsageError(source + ": way_points: expected at least one point [x, y] to drive to");
     }

@@ -39,6 +39,9 @@ TEST(Plan, MistakesAreNamedByTheirPlace) {
     wrong = one_row;
     wrong["train"] = {{"seed", 3}};
     EXPECT_THAT(complaint({{"rows", {wrong}}}), testing::HasSubstr("rows[0]: unknown setting 'train.seed'"));
+    wrong = one_row;
+    wrong["paper"]["f1"] = "high";
+    EXPECT_THAT(complaint({{"rows", {wrong}}}), testing::StartsWith("rows[0].paper.f1: expected a number"));
     EXPECT_THAT(complaint({{"rows", {one_row}}, {"timings", {{{"row", "two"}}}}}),
                 testing::StartsWith("timings[0].row: "));
     EXPECT_THAT(complaint({{"rows", Json::array()}}), testing::HasSubstr("one or more"));

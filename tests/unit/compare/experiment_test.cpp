@@ -119,6 +119,7 @@ TEST_F(ExperimentTest, RefusesWhatMakesNoSense) {
     EXPECT_THAT(refusal("/methods/1/filter", {{"particles", 0}}), HasSubstr("particles"));
     EXPECT_THAT(refusal("/baseline", "filtre"), HasSubstr("did you mean: filter"));
     EXPECT_THAT(refusal("/seeds/count", 0U), HasSubstr("seeds.count"));
+    EXPECT_THAT(refusal("/seeds/count", std::uint64_t{1} << 60U), HasSubstr("seeds.count"));
     EXPECT_THAT(refusal("/simulation/lidar/preset", "none"), HasSubstr("none"));
 }
 

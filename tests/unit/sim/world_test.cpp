@@ -132,6 +132,7 @@ INSTANTIATE_TEST_SUITE_P(
                     BadFile{R"({"way_points": [[1, "two"]]})", "way_points"},
                     BadFile{R"({"way_points": [[1, 2]], "start": [0, 0]})", "start"},
                     BadFile{R"({"way_points": [[1, 2]], "laps": 0})", "laps"},
+                    BadFile{R"({"way_points": [[1, 2]], "laps": 1e15})", "laps"},
                     BadFile{R"({"way_points": [[1, 2]], "walls": [[0, 1]]})", "walls[0]"},
                     BadFile{R"({"way_points": [[1, 2]], "boxes": [{"size": [1, 1], "depth": 3}]})", "depth"},
                     BadFile{R"({"way_points": [[1, 2]], "boxes": [{}, {"size": [1]}]})", "boxes[1].size"},
