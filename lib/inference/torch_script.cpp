@@ -62,11 +62,7 @@ native::ModelDescription description_in(const std::string& text, const std::file
     if (text.empty()) {
         throw Error(path.string() + ": not a model of ddtool: no " + description_file + " inside");
     }
-    try {
-        return Json::parse(text).get<native::ModelDescription>();
-    } catch (const Json::exception& error) {
-        throw Error(path.string() + ": its " + description_file + ": " + error.what());
-    }
+    return native::parse_description(text, path.string());
 }
 
 torch::Tensor class_values(torch::Tensor values) {

@@ -28,11 +28,12 @@ std::size_t tokens_in(const MapShape& map) { return map.side * map.side; }
 }  // namespace
 
 DDNetwork::DDNetwork(NamedWeights& weights, const DDModelTable& table, std::size_t size_px)
-    : stem_(weights, table.stem, size_px),
+    : position_(
+          weights.take("position", {static_cast<std::size_t>(token_count(table, static_cast<std::int64_t>(size_px))),
+                                    static_cast<std::size_t>(table.encoder.width)})),
+      stem_(weights, table.stem, size_px),
       blocks_(blocks_of(weights, table, stem_.out_shape())),
       embedding_(embedding_of(weights, blocks_.back().out_shape(), static_cast<std::size_t>(table.encoder.width))),
-      position_(weights.take("position",
-                             {tokens_in(blocks_.back().out_shape()), static_cast<std::size_t>(table.encoder.width)})),
       encoder_(weights, table.encoder, tokens_in(blocks_.back().out_shape())),
       norm_(weights, "norm", tokens_in(blocks_.back().out_shape()), static_cast<std::size_t>(table.encoder.width)),
       head_weight_(weights.take("head.weight", {2, static_cast<std::size_t>(table.encoder.width)})),

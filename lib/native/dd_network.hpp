@@ -22,10 +22,10 @@ public:
     std::array<double, 2> run(std::span<const float> image);
 
 private:
+    std::vector<float> position_;  ///< first: where an image's size is a lie, nothing of that size is made
     Stem stem_;
     std::vector<BasicBlock> blocks_;
     AffineLayer embedding_;
-    std::vector<float> position_;
     EncoderLayer encoder_;
     LayerNorm norm_;
     std::vector<float> head_weight_;

@@ -5,7 +5,6 @@
 #include "base/atomic_file.hpp"
 #include "base/checksums.hpp"
 #include "base/error.hpp"
-#include "base/settings.hpp"
 #include "native/dd_network.hpp"
 
 namespace ddtool::native {
@@ -41,16 +40,6 @@ private:
     DDNetwork network_;
 };
 
-ModelDescription description_in(const std::string& text) {
-    try {
-        auto description = Json::parse(text).get<ModelDescription>();
-        expect_valid(description.image);
-        return description;
-    } catch (const Json::exception& error) {
-        throw Error(std::string("its description: ") + error.what());
-    }
-}
-
 const DDModelTable& table_of(const std::string& network) {
     const DDModelTable* const table = find_ddmodel_table(network);
     if (table == nullptr) {
@@ -69,8 +58,8 @@ std::unique_ptr<DegreeModel> load_model(const std::filesystem::path& path) {
 std::unique_ptr<DegreeModel> load_model(std::string_view bytes, const std::string& name) {
     PlainWeights file = parse_safetensors(bytes, name);
     NamedWeights weights(std::move(file.tensors));
+    ModelDescription description = parse_description(file.about, name);
     try {
-        ModelDescription description = description_in(file.about);
         DDNetwork network(weights, table_of(description.network), description.image.size_px);
         weights.expect_all_taken();
         return std::make_unique<NativeModel>(std::move(description), std::move(network));

@@ -23,6 +23,10 @@ struct ModelDescription {
 };
 DDTOOL_JSON_STRUCT(ModelDescription, network, loss, image, label, split, dataset, seed, temperature, metrics)
 
+/// The description that travels as this text. Throws Error naming the file for another text, and for values that no
+/// network can have.
+ModelDescription parse_description(const std::string& text, const std::string& file);
+
 /// The two classes in the order of the network's outputs.
 inline constexpr std::size_t degenerate_output = 1;
 

@@ -72,7 +72,7 @@ std::string Checkpoint::text(const char* key) {
 }
 
 native::ModelDescription Checkpoint::description() {
-    return guarded([&] { return Json::parse(text(description_key)).get<native::ModelDescription>(); });
+    return native::parse_description(text(description_key), path_.string());
 }
 
 std::shared_ptr<models::Network> Checkpoint::network() {
@@ -88,7 +88,8 @@ std::shared_ptr<models::Network> Checkpoint::network() {
 }
 
 TrainingState Checkpoint::state() {
-    return guarded([&] { return Json::parse(text(state_key)).get<TrainingState>(); });
+    const std::string state = text(state_key);
+    return guarded([&] { return parse_json(state, path_.string()).get<TrainingState>(); });
 }
 
 void Checkpoint::restore(models::Network& network, torch::optim::Optimizer& optimizer) {

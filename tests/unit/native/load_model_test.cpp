@@ -124,6 +124,12 @@ TEST_F(LoadModel, RefusesANetworkOfAnotherKind) {
 TEST_F(LoadModel, RefusesABrokenDescription) {
     describe([](Json& about) { about["image"]["size_px"] = 0; });
     EXPECT_THAT(error(), AllOf(StartsWith(path_.string()), HasSubstr("size_px")));
+    describe([](Json& about) { about["image"]["size_px"] = 4096; });
+    EXPECT_THAT(error(), HasSubstr("position"));
+    describe([](Json& about) { about["loss"] = "hinge"; });
+    EXPECT_THAT(error(), HasSubstr("loss"));
+    describe([](Json& about) { about = {{"loss", "bce"}, {"metrics", "x"}}; });
+    EXPECT_THAT(error(), HasSubstr("description"));
     file_.about = "";
     EXPECT_THAT(error(), AllOf(StartsWith(path_.string()), HasSubstr("description")));
 }
