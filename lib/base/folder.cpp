@@ -15,4 +15,9 @@ std::filesystem::path made_folder(std::filesystem::path folder) {
     return folder;
 }
 
+bool is_folder(const std::filesystem::path& path) noexcept {
+    std::error_code unusable;
+    return std::filesystem::is_directory(path, unusable);
+}
+
 }  // namespace ddtool

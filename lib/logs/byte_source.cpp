@@ -9,6 +9,7 @@
 
 #include "base/crc.hpp"
 #include "base/error.hpp"
+#include "base/folder.hpp"
 
 namespace ddtool {
 namespace {
@@ -21,7 +22,7 @@ std::unique_ptr<std::istream> open_file(const std::filesystem::path& path) {
     if (!*stream) {
         throw Error(path.string() + ": cannot read: " + std::strerror(errno));
     }
-    if (std::filesystem::is_directory(path)) {
+    if (is_folder(path)) {
         throw Error(path.string() + ": cannot read: it is a folder, a file was expected");
     }
     return stream;

@@ -1,5 +1,7 @@
 #include "logs/foxglove_json.hpp"
 
+#include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "logs/foxglove_scan.hpp"
@@ -10,9 +12,16 @@ namespace {
 
 using nlohmann::json;
 
+/// Of a number without fraction, which JSON may write as 1e9; the greatest of all for what does not fit.
+std::int64_t whole(const json& number) {
+    constexpr double limit = 9e15;
+    const auto value = number.get<double>();
+    return std::abs(value) < limit ? static_cast<std::int64_t>(value) : std::numeric_limits<std::int64_t>::max();
+}
+
 std::int64_t stamp(const json& message) {
     const json& time = message.at("timestamp");
-    return stamp_ns(time.at("sec").get<std::int64_t>(), time.at("nsec").get<std::int64_t>());
+    return stamp_ns(whole(time.at("sec")), whole(time.at("nsec")));
 }
 
 ros::Vector3 vector(const json& v) { return {v.at("x"), v.at("y"), v.at("z")}; }

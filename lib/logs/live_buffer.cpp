@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "base/folder.hpp"
 
 namespace ddtool {
 namespace {
@@ -33,7 +34,7 @@ std::unique_ptr<LiveBuffer> LiveBuffer::standard_input(Stop stop) {
 }
 
 std::unique_ptr<LiveBuffer> LiveBuffer::followed(const std::filesystem::path& path, Stop stop) {
-    if (std::filesystem::is_directory(path)) {
+    if (is_folder(path)) {
         throw Error(path.string() + ": is a folder; expected the MCAP file in it that is being written");
     }
     const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "base/folder.hpp"
 #include "logs/bag_reader.hpp"
 #include "logs/carmen_message.hpp"
 #include "logs/db3_source.hpp"
@@ -58,7 +59,7 @@ std::string_view name_of(LogContainer container) {
 }
 
 LogContainer container_of(const std::filesystem::path& path) {
-    if (std::filesystem::is_directory(path)) {
+    if (is_folder(path)) {
         return LogContainer::rosbag2_folder;
     }
     const std::string head = read_head(path);

@@ -23,7 +23,8 @@ fs::path storage_file(const fs::path& folder, const std::string& name) {
                     "', which lies outside of the folder; expected a file in it");
     }
     for (const fs::path& known : {path, path.filename(), path.parent_path() / path.stem()}) {
-        if (fs::exists(folder / known)) {
+        std::error_code unusable;  // such as a name too long for the file system: opening it says so
+        if (fs::exists(folder / known, unusable)) {
             return folder / known;
         }
     }

@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "base/folder.hpp"
 
 namespace ddtool {
 namespace {
@@ -34,7 +35,7 @@ struct CloseBzip2 {
 };
 
 File open_file(const std::filesystem::path& path) {
-    if (std::filesystem::is_directory(path)) {
+    if (is_folder(path)) {
         throw Error(path.string() + ": is a folder; expected a log file");
     }
     errno = 0;

@@ -56,6 +56,16 @@ TEST(FoxgloveScan, JsonNullIsNoReading) {
     EXPECT_TRUE(std::isnan(scan->scan.ranges_m.at(0)));
 }
 
+TEST(FoxgloveScan, AStampThatNoNumberHoldsIsNone) {
+    for (const std::string seconds : {"1e66", "-1e66", "9.3e9", "18446744073709551615"}) {
+        const auto scan = json_scan(bytes_of(R"({"timestamp": {"sec": )" + seconds +
+                                             R"(, "nsec": 5}, "frame_id": "", "start_angle": 0, "end_angle": 1,)" +
+                                             R"( "ranges": []})"));
+        ASSERT_TRUE(scan) << seconds;
+        EXPECT_EQ(scan->scan.stamp_ns, 0) << seconds;
+    }
+}
+
 TEST(FoxgloveTransforms, AreTheSameInProtobufAndJson) {
     wire::FrameTransforms message;
     wire::FrameTransform& transform = *message.add_transforms();

@@ -67,6 +67,11 @@ TEST_F(Rosbag2, FilesOutsideOfTheFolderAreRefused) {
     }
 }
 
+TEST_F(Rosbag2, AFileWhoseNameIsTooLongIsMissing) {
+    set_files({"part_0", "part_1", "part_2", "part_3", std::string(300, 'a')});
+    EXPECT_THAT(read_all(folder_).problems, testing::Contains(HasSubstr("File name too long")));
+}
+
 TEST_F(Rosbag2, MetadataThatSayNothingAreNamed) {
     for (const std::string text : {"", "[1, 2", "rosbag2_bagfile_information: 3", "\x01\x02"}) {
         write_file(folder_ / "metadata.yaml", text);
