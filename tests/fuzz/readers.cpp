@@ -3,6 +3,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "ablation/plan.hpp"
 #include "base/error.hpp"
 #include "base/settings.hpp"
 #include "compare/experiment.hpp"
@@ -15,9 +16,13 @@
 #include "logs/log_stream.hpp"
 #include "logs/rosbag2_folder.hpp"
 #include "native/load_model.hpp"
+#include "native/model_description.hpp"
+#include "results/snapshot_file.hpp"
 #include "serve/foxglove_protocol.hpp"
+#include "sim/simulation_json.hpp"
 #include "sim/world_catalogue.hpp"
 #include "slam/settings_json.hpp"
+#include "training/training_state.hpp"
 
 namespace ddtool::fuzz {
 namespace {
@@ -28,8 +33,11 @@ constexpr std::size_t most_scans = 100'000;
 void ignore(const LogProblem& /*problem*/) {}
 
 void expect_sound(const SensorFrame& frame) {
-    if (!std::isfinite(frame.odom_from_robot.x_m) || !std::isfinite(frame.odom_from_robot.theta_rad)) {
-        throw std::logic_error("an odometry that is no number came through");
+    for (const Pose2& pose :
+         {frame.odom_from_robot, frame.robot_from_laser, frame.world_from_robot.value_or(Pose2{})}) {
+        if (!std::isfinite(pose.x_m) || !std::isfinite(pose.y_m) || !std::isfinite(pose.theta_rad)) {
+            throw std::logic_error("a pose that is no number came through");
+        }
     }
 }
 
@@ -50,12 +58,38 @@ void read_inventory(std::span<const char> content) {
     (void)take_inventory(input_file(content, "log"), ignore, [](double /*share*/) {});
 }
 
+void read_snapshots(std::span<const char> content) {
+    SnapshotReader snapshots(input_file(content, "log"), ignore);
+    while (snapshots.next()) {
+    }
+}
+
 void read_metadata(std::span<const char> content) {
     (void)rosbag2_files(input_file(content, "metadata.yaml").parent_path(), ignore);
 }
 
 void read_network(std::span<const char> content) {
     (void)native::load_model(std::string_view(content.data(), content.size()), "model.safetensors");
+}
+
+/// The header of a file that is long enough for all weights: reading goes on to the making of the network.
+void read_network_header(std::span<const char> content) {
+    constexpr std::size_t most_weights_bytes = 512 << 10;
+    std::string bytes(content.begin(), content.end());
+    read_network({bytes.append(most_weights_bytes, '\0').data(), bytes.size()});
+}
+
+void read_description(std::span<const char> content) {
+    (void)native::parse_description(std::string(content.begin(), content.end()), "model");
+}
+
+/// As training/checkpoint.cpp does, which needs LibTorch.
+void read_training_state(std::span<const char> content) {
+    try {
+        (void)parse_json({content.data(), content.size()}, "state").get<training::TrainingState>();
+    } catch (const Json::exception& error) {
+        throw Error(error.what());
+    }
 }
 
 void read_filter_settings(std::span<const char> content) {
@@ -80,6 +114,18 @@ void read_train_settings(std::span<const char> content) {
     Json train = learning::TrainSettings{};
     merge_settings_file(train, input_file(content, "settings.json"));
     learning::expect_valid(train.get<learning::TrainSettings>());
+}
+
+void read_simulation(std::span<const char> content) {
+    Json simulation = sim::default_simulation_json();
+    merge_settings_file(simulation, input_file(content, "settings.json"));
+    (void)sim::simulation_from_json(simulation);
+}
+
+void read_plan(std::span<const char> content) {
+    Json plan = ablation::default_plan_json();
+    merge_settings_file(plan, input_file(content, "settings.json"));
+    (void)ablation::plan_from_json(plan);
 }
 
 void read_world(std::span<const char> content) { (void)sim::load_world(input_file(content, "world.json").string()); }
@@ -115,13 +161,14 @@ Reader reader(std::vector<Read> reads) {
 
 const std::map<std::string, Reader>& readers() {
     static const std::map<std::string, Reader> all{
-        {"log", reader({read_log, read_inventory})},
+        {"log", reader({read_log, read_inventory, read_snapshots})},
         {"message", reader({read_message})},
         {"metadata", reader({read_metadata})},
         {"dataset", reader({read_dataset})},
-        {"network", reader({read_network})},
-        {"configuration",
-         reader({read_filter_settings, read_experiment, read_build_settings, read_train_settings, read_world})},
+        {"network", reader({read_network, read_network_header})},
+        {"checkpoint", reader({read_description, read_training_state})},
+        {"configuration", reader({read_filter_settings, read_experiment, read_simulation, read_build_settings,
+                                  read_train_settings, read_plan, read_world})},
         {"poses", reader({read_trajectory, read_relation_file})},
         {"request", reader({read_request})}};
     return all;

@@ -1,13 +1,20 @@
 #include <fmt/format.h>
 
+#include <cstring>
+
 #include "bag_file.hpp"
 #include "base/atomic_file.hpp"
+#include "compressed_text.hpp"
 #include "db3_file.hpp"
+#include "dd_weights.hpp"
+#include "foxglove.pb.h"
 #include "known_dataset.hpp"
 #include "message_kinds.hpp"
 #include "recording.hpp"
+#include "results/snapshot_file.hpp"
 #include "rosbag2_folder_files.hpp"
 #include "swarm_dataset.hpp"
+#include "training/training_state.hpp"
 
 namespace ddtool::fuzz {
 namespace {
@@ -38,16 +45,23 @@ void write_logs(const fs::path& folder) {
     test::write_db3(folder / "small.db3", short_recording);
     fs::remove(folder / "packed.db3");
     test::write_db3(folder / "packed.db3", short_recording, Compression::zstd);
-    write_seed(folder, "small.clf",
-               "PARAM robot_front_laser_max 80\nFLASER 3 1 1 1 0 0 0 0 0 0 1 host 1\nODOM 0 0 0 0 0 0 1 host 1\n"
-               "ROBOTLASER1 0 -1.5 3.1 1 80 0.01 0 3 1 2 3 0 0 0 0 0 0 0 0 0 0 0 0 1 host 1\n");
+    const std::string carmen =
+        "PARAM robot_front_laser_max 80\nFLASER 3 1 1 1 0 0 0 0 0 0 1 host 1\nODOM 0 0 0 0 0 0 1 host 1\n"
+        "ROBOTLASER1 0 -1.5 3.1 1 80 0.01 0 3 1 2 3 0 0 0 0 0 0 0 0 0 0 0 0 1 host 1\n";
+    write_seed(folder, "small.clf", carmen);
+    write_seed(folder, "small.clf.gz", test::gzip(carmen));
+    write_seed(folder, "small.clf.bz2", test::bzip2(carmen));
+    SnapshotWriter snapshots(folder / "snapshots.mcap");
+    snapshots.write({.stamp_ns = 1, .update = 2, .odometry_motion = {}, .particles = test::clear_swarm(true, 1)}, {});
+    snapshots.close();
 }
 
 std::string as_json(const std::string& schema) {
     const std::string pose = R"({"position":{"x":1,"y":2,"z":0},"orientation":{"x":0,"y":0,"z":0,"w":1}})";
     const std::string head = R"({"timestamp":{"sec":1,"nsec":2},"frame_id":"a",)";
-    const std::string transform =
-        head + R"("parent_frame_id":"a","child_frame_id":"b","translation":{"x":1},"rotation":{"w":1}})";
+    const std::string transform = head +
+                                  R"("parent_frame_id":"a","child_frame_id":"b","translation":{"x":1,"y":0,"z":0},)" +
+                                  R"("rotation":{"x":0,"y":0,"z":0,"w":1}})";
     if (schema == "foxglove.LaserScan") {
         return head + R"("pose":)" + pose + R"(,"start_angle":-1,"end_angle":1,"ranges":[1,null,3]})";
     }
@@ -57,25 +71,77 @@ std::string as_json(const std::string& schema) {
     return schema == "foxglove.FrameTransform" ? transform : R"({"transforms":[)" + transform + "]}";
 }
 
-/// ROS messages of the recording with the type's name, if there is one.
-std::string as_ros(const MessageType& type) {
-    for (const test::RecordedMessage& message : test::example_recording()) {
-        if (message.ros2_type == type.schema) {
-            return text_of(message.cdr);
-        }
-        if (message.ros1_type() == type.schema) {
-            return text_of(message.ros1);
-        }
+void fill(foxglove::wire::FrameTransform& transform) {
+    transform.mutable_timestamp()->set_seconds(1);
+    transform.set_parent_frame_id("a");
+    transform.set_child_frame_id("b");
+    transform.mutable_translation()->set_x(1.0);
+    transform.mutable_rotation()->set_w(1.0);
+}
+
+std::string as_protobuf(const std::string& schema) {
+    if (schema == "foxglove.LaserScan") {
+        foxglove::wire::LaserScan scan;
+        scan.mutable_timestamp()->set_nanos(2);
+        scan.set_frame_id("a");
+        scan.mutable_pose()->mutable_orientation()->set_w(1.0);
+        scan.set_end_angle(1.0);
+        scan.add_ranges(1.0);
+        scan.add_ranges(2.0);
+        return scan.SerializeAsString();
     }
-    return type.encoding == std::string("cdr") ? text_of(ros::encode_cdr(ros::Float64MultiArray{})) : "";
+    if (schema == "foxglove.PoseInFrame") {
+        foxglove::wire::PoseInFrame pose;
+        pose.set_frame_id("a");
+        pose.mutable_pose()->mutable_position()->set_x(1.0);
+        return pose.SerializeAsString();
+    }
+    foxglove::wire::FrameTransforms transforms;
+    fill(*transforms.add_transforms());
+    return schema == "foxglove.FrameTransform" ? transforms.transforms(0).SerializeAsString()
+                                               : transforms.SerializeAsString();
+}
+
+/// The example recording's first message of that name, with a pose and what a scan tells beside it.
+std::string as_ros(const MessageType& type) {
+    test::Recording recording = test::example_recording();
+    test::record(recording, "/pose", 1, ros::pose_message(1, "odom", {1.0, 2.0, 0.5}));
+    test::record(recording, "/fisher_information", 1,
+                 ros::Float64MultiArray{{{"row", 3, 9}, {"column", 3, 3}}, 0, std::vector<double>(9, 1.0)});
+    const bool ros1 = type.encoding == std::string("ros1");
+    const std::string schema = type.schema == std::string("tf/tfMessage") ? "tf2_msgs/TFMessage" : type.schema;
+    const auto found = std::ranges::find_if(recording, [&](const test::RecordedMessage& message) {
+        return (ros1 ? message.ros1_type() : message.ros2_type) == schema;
+    });
+    return text_of(ros1 ? found->ros1 : found->cdr);
 }
 
 void write_messages(const fs::path& folder) {
     for (std::size_t row = 0; row < message_types.size(); ++row) {
-        const MessageType& type = message_types[row];
-        const std::string bytes = type.encoding == std::string("json") ? as_json(type.schema) : as_ros(type);
+        const MessageType& type = message_types.at(row);
+        const std::string encoding = type.encoding;
+        const std::string bytes = encoding == "json"       ? as_json(type.schema)
+                                  : encoding == "protobuf" ? as_protobuf(type.schema)
+                                                           : as_ros(type);
         write_seed(folder, fmt::format("{}", row), std::string(1, static_cast<char>(row)) + bytes);
     }
+}
+
+/// Lengths and names of all weights, without the weights: they would only dilute what is worth changing.
+void write_networks(const fs::path& folder) {
+    const test::TemporaryFolder temporary;
+    native::write_safetensors(temporary / "model", test::drawn_dd_model("ddmodel-lite", 16));
+    const std::string whole = read_file(temporary / "model");
+    std::uint64_t header_bytes = 0;
+    std::memcpy(&header_bytes, whole.data(), sizeof header_bytes);
+    write_seed(folder, "header", whole.substr(0, sizeof header_bytes + header_bytes));
+}
+
+void write_checkpoints(const fs::path& folder) {
+    training::TrainingState state;
+    state.history.resize(2);
+    write_seed(folder, "state", Json(state).dump());
+    write_seed(folder, "description", test::drawn_dd_model("ddmodel-lite", 64).about);
 }
 
 void write_datasets(const fs::path& folder) {
@@ -119,6 +185,8 @@ int main(int argc, char** argv) {
     ddtool::fuzz::write_logs(root / "log");
     ddtool::fuzz::write_messages(root / "message");
     ddtool::fuzz::write_datasets(root / "dataset");
+    ddtool::fuzz::write_networks(root / "network");
+    ddtool::fuzz::write_checkpoints(root / "checkpoint");
     ddtool::fuzz::write_rest(root);
     return 0;
 }
