@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "base/text.hpp"
+#include "logs/readings.hpp"
 
 namespace ddtool {
 namespace {
@@ -28,6 +29,7 @@ public:
     Pose2 pose() {
         const double x = number();
         const double y = number();
+        ok_ = ok_ && std::abs(x) < farthest_m && std::abs(y) < farthest_m;
         return {x, y, number()};
     }
     /// A count of values that this line can hold, each being at least two characters.

@@ -46,6 +46,8 @@ std::string without_msg(std::string name) {
 
 void tidy(std::string& frame_id) { frame_id.erase(0, frame_id.starts_with('/') ? 1 : 0); }
 
+bool is_somewhere(const Eigen::Isometry3d& pose) { return (pose.translation().array().abs() < farthest_m).all(); }
+
 void tidy_stamp(std::int64_t& stamp_ns, const McapMessage& message) {
     if (stamp_ns == 0) {
         stamp_ns = message.log_time_ns;
@@ -90,21 +92,23 @@ MessageKind kind_of(const McapChannel& channel) {
 
 std::optional<ScanReading> decode_scan(const McapMessage& message) {
     std::optional<ScanReading> reading = decode_raw_scan(message);
-    if (reading) {
-        tidy(reading->frame_id);
-        tidy_stamp(reading->scan.stamp_ns, message);
+    if (!reading || !is_somewhere(reading->frame_from_scan)) {
+        return std::nullopt;
     }
+    tidy(reading->frame_id);
+    tidy_stamp(reading->scan.stamp_ns, message);
     return reading;
 }
 
 std::optional<std::vector<PoseReading>> decode_poses(const McapMessage& message) {
     std::optional<std::vector<PoseReading>> readings = decode_raw_poses(message);
-    if (readings) {
-        for (PoseReading& reading : *readings) {
-            tidy(reading.frame_id);
-            tidy(reading.child_frame_id);
-            tidy_stamp(reading.stamp_ns, message);
-        }
+    if (!readings || !std::ranges::all_of(*readings, is_somewhere, &PoseReading::frame_from_child)) {
+        return std::nullopt;
+    }
+    for (PoseReading& reading : *readings) {
+        tidy(reading.frame_id);
+        tidy(reading.child_frame_id);
+        tidy_stamp(reading.stamp_ns, message);
     }
     return readings;
 }

@@ -22,7 +22,7 @@ enum class MessageKind {
 MessageKind kind_of(const McapChannel& channel);
 
 /// Decodes a message of kind scan. Frame names lose a leading '/', a stamp of zero becomes the log time. None when the
-/// bytes are no such message.
+/// bytes are no such message, or name a place that is no number or beyond farthest_m.
 std::optional<ScanReading> decode_scan(const McapMessage& message);
 
 /// The same for the other kinds: one reading for odometry and poses, any number for transforms.

@@ -8,6 +8,9 @@
 
 namespace ddtool {
 
+/// Positions farther away than this are damaged numbers: their sums and squares would soon be none at all.
+inline constexpr double farthest_m = 1e9;
+
 /// A laser scan as a log has it, whatever its message type.
 struct ScanReading {
     std::string frame_id;

@@ -61,6 +61,11 @@ TEST(Flaser, RefusesCountsThatTheLineCannotHold) {
     }
 }
 
+TEST(Flaser, RefusesPlacesThatCannotBe) {
+    EXPECT_TRUE(parse_flaser("1 2.5 1 2 3 1e6 5 6 7.0 host 8.0"));
+    EXPECT_FALSE(parse_flaser("1 2.5 1 2 3 1e300 5 6 7.0 host 8.0"));
+}
+
 TEST(Robotlaser, StatesItsOwnFanRangeAndMounting) {
     const auto message = parse_robotlaser(
         " 0 -1.5 3.0 0.75 50.0 0.01 0 5 1 2 3 4 50 2 7 8  1.2 2.0 0 1.0 2.0 0  0 0 0.1 0.1 1e6 12.5 host 0.1");

@@ -1,0 +1,31 @@
+#include "logs/message_decoder.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "logs/ros_codec.hpp"
+#include "logs/ros_conversions.hpp"
+
+namespace ddtool {
+namespace {
+
+std::optional<std::vector<PoseReading>> decoded_odometry(double x_m) {
+    McapChannel channel;
+    channel.topic = "/odom";
+    channel.message_encoding = "cdr";
+    channel.schema.name = ros::Odometry::type_name;
+    const std::vector<std::byte> bytes = ros::encode_cdr(ros::odometry_message(1, "odom", "base", {x_m, 0.0, 0.0}));
+    return decode_poses({.channel = &channel, .data = bytes});
+}
+
+TEST(DecodePoses, TakesNoPlaceThatCannotBe) {
+    EXPECT_TRUE(decoded_odometry(6.4e6));  // from the centre of the Earth
+    EXPECT_FALSE(decoded_odometry(-2e9));
+    EXPECT_FALSE(decoded_odometry(1e300));
+    EXPECT_FALSE(decoded_odometry(std::numeric_limits<double>::infinity()));
+    EXPECT_FALSE(decoded_odometry(std::numeric_limits<double>::quiet_NaN()));
+}
+
+}  // namespace
+}  // namespace ddtool
