@@ -43,6 +43,14 @@ TEST_F(CheckpointTest, TheBestHasNoTrainingToGoOnWith) {
     EXPECT_EQ(test::thrown_text([&] { (void)checkpoint.state(); }), path_.string() + ": no state in this checkpoint");
 }
 
+TEST_F(CheckpointTest, ADescriptionThatNoNetworkCanHaveIsNamed) {
+    native::ModelDescription about = small_lite();
+    about.image.size_px = std::size_t{1} << 40U;
+    write_checkpoint(path_, *network_, about);
+    const std::string text = test::thrown_text([&] { (void)Checkpoint(path_).network(); });
+    EXPECT_TRUE(text.starts_with(path_.string() + ": its description: size_px")) << text;
+}
+
 TEST_F(CheckpointTest, ACutFileIsNamed) {
     write_checkpoint(path_, *network_, small_lite());
     const std::string bytes = read_file(path_);
