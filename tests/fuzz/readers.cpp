@@ -111,7 +111,8 @@ void read_build_settings(std::span<const char> content) {
 }
 
 void read_train_settings(std::span<const char> content) {
-    Json train = learning::TrainSettings{};
+    const learning::TrainSettings defaults;
+    Json train = defaults;
     merge_settings_file(train, input_file(content, "settings.json"));
     learning::expect_valid(train.get<learning::TrainSettings>());
 }
