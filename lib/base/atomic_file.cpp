@@ -5,7 +5,6 @@
 
 #include <cerrno>
 #include <cstring>
-#include <fstream>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -56,19 +55,36 @@ void AtomicFile::commit() {
     committed_ = true;
 }
 
-void write_file(const std::filesystem::path& path, const std::function<void(std::ostream&)>& write) {
-    AtomicFile file(path);
+AtomicStream::AtomicStream(const std::filesystem::path& path) : path_(path), file_(path) {
     errno = 0;
-    std::ofstream stream(file.part(), std::ios::binary);
-    if (!stream) {
-        fail(path, "create");
+    stream_.open(file_.part(), std::ios::binary);
+    if (!stream_) {
+        fail(path_, "create");
     }
-    write(stream);
-    stream.close();
-    if (!stream) {
-        fail(path, "write");
+}
+
+std::ostream& AtomicStream::stream() {
+    expect_written();
+    errno = 0;
+    return stream_;
+}
+
+void AtomicStream::close() {
+    stream_.close();
+    expect_written();
+    file_.commit();
+}
+
+void AtomicStream::expect_written() const {
+    if (!stream_) {
+        fail(path_, "write");
     }
-    file.commit();
+}
+
+void write_file(const std::filesystem::path& path, const std::function<void(std::ostream&)>& write) {
+    AtomicStream file(path);
+    write(file.stream());
+    file.close();
 }
 
 void write_file(const std::filesystem::path& path, std::string_view content) {

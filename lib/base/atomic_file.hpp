@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <fstream>
 #include <functional>
 #include <iosfwd>
 #include <string_view>
@@ -35,6 +36,23 @@ private:
     std::filesystem::path path_;
     std::filesystem::path part_;
     bool committed_ = false;
+};
+
+/// An AtomicFile that is written bit by bit. Throws OutputError naming the file and the system's reason when it cannot.
+class AtomicStream {
+public:
+    explicit AtomicStream(const std::filesystem::path& path);
+    /// Where to write; throws when what was written before did not get there.
+    std::ostream& stream();
+    /// Completes the file.
+    void close();
+
+private:
+    void expect_written() const;
+
+    std::filesystem::path path_;
+    AtomicFile file_;
+    std::ofstream stream_;
 };
 
 /// Writes a whole file through AtomicFile. Throws OutputError naming the file and the system's reason when it cannot.

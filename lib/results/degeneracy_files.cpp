@@ -5,7 +5,6 @@
 #include <cstdio>
 #include <ostream>
 
-#include "base/atomic_file.hpp"
 #include "plot/figure.hpp"
 #include "results/map_picture.hpp"
 #include "results/run_course.hpp"
@@ -52,14 +51,9 @@ void draw_time_line(plot::Axes& axes, const std::vector<UpdateReport>& updates) 
 
 }  // namespace
 
-void write_degeneracy_csv(const std::filesystem::path& file, const std::vector<UpdateReport>& updates) {
-    write_file(file, [&](std::ostream& out) {
-        out << header;
-        for (const UpdateReport& update : updates) {
-            write_row(out, update);
-        }
-    });
-}
+DegeneracyCsv::DegeneracyCsv(const std::filesystem::path& file) : file_(file) { file_.stream() << header; }
+
+void DegeneracyCsv::add(const UpdateReport& update) { write_row(file_.stream(), update); }
 
 void write_degeneracy_picture(const std::filesystem::path& file, const std::vector<UpdateReport>& updates,
                               const MapRaster& map, const Trajectory& path) {

@@ -3,14 +3,24 @@
 #include <filesystem>
 #include <vector>
 
+#include "base/atomic_file.hpp"
 #include "geometry/trajectory.hpp"
 #include "results/map_raster.hpp"
 #include "slam/update_report.hpp"
 
 namespace ddtool {
 
-/// Writes degeneracy.csv, a row an update (docs/formats/results.md). Throws Error naming the file.
-void write_degeneracy_csv(const std::filesystem::path& file, const std::vector<UpdateReport>& updates);
+/// degeneracy.csv, a row an update (docs/formats/results.md). Throws Error naming the file.
+class DegeneracyCsv {
+public:
+    explicit DegeneracyCsv(const std::filesystem::path& file);
+    void add(const UpdateReport& update);
+    /// Completes the file; without it nothing is left behind.
+    void close() { file_.close(); }
+
+private:
+    AtomicStream file_;
+};
 
 /// The map with the path coloured by the degree, and below it the degree and the swarm's spread over time. `path` has a
 /// pose for every scan. Throws Error naming the file.

@@ -18,13 +18,35 @@ void RunCourse::see(const ParticleSnapshot& swarm, const Degeneracy& degeneracy)
 }
 
 void RunCourse::add(const Rbpf& filter) {
-    const double now_s = total_s(filter.times());
-    if (filter.updates() > 1) {
-        updates_.push_back(filter.last_report());
-        effective_sizes_.push_back(effective_size_);
-        step_s_.push_back(now_s - filter_s_);
+    const double step_s = total_s(filter.times()) - filter_s_;
+    filter_s_ += step_s;
+    if (filter.updates() <= 1) {
+        return;
     }
-    filter_s_ = now_s;
+    if (seen_++ % every_ != 0) {
+        updates_.back().resampled |= filter.last_report().resampled;
+        return;
+    }
+    if (updates_.size() == most_) {
+        halve();
+    }
+    updates_.push_back(filter.last_report());
+    effective_sizes_.push_back(effective_size_);
+    step_s_.push_back(step_s);
+}
+
+void RunCourse::halve() {
+    const std::size_t left = most_ / 2;
+    for (std::size_t row = 0; row < left; ++row) {
+        updates_[row] = updates_[2 * row];
+        updates_[row].resampled |= updates_[2 * row + 1].resampled;
+        effective_sizes_[row] = effective_sizes_[2 * row];
+        step_s_[row] = step_s_[2 * row];
+    }
+    updates_.resize(left);
+    effective_sizes_.resize(left);
+    step_s_.resize(left);
+    every_ *= 2;
 }
 
 Trajectory places_of(const std::vector<UpdateReport>& updates, const Trajectory& path) {

@@ -5,7 +5,6 @@
 #include "base/atomic_file.hpp"
 #include "base/folder.hpp"
 #include "geometry/tum_file.hpp"
-#include "results/degeneracy_files.hpp"
 #include "results/map_files.hpp"
 #include "results/map_picture.hpp"
 
@@ -14,12 +13,13 @@ namespace {
 
 constexpr const char* result_name = "result.mcap";
 constexpr const char* snapshots_name = "snapshots.mcap";
+constexpr const char* degeneracy_name = "degeneracy.csv";
 constexpr const char* page_name = "report.html";
 
 }  // namespace
 
 RunFolder::RunFolder(std::filesystem::path folder, bool with_snapshots)
-    : folder_(made_folder(std::move(folder))), result_(folder_ / result_name) {
+    : folder_(made_folder(std::move(folder))), result_(folder_ / result_name), degeneracy_(folder_ / degeneracy_name) {
     if (with_snapshots) {
         snapshots_.emplace(folder_ / snapshots_name);
     }
@@ -40,6 +40,9 @@ void RunFolder::add(const SensorFrame& frame, const Rbpf& filter, bool moved) {
     if (moved) {
         result_.add(frame, filter);
         course_.add(filter);
+        if (filter.updates() > 1) {
+            degeneracy_.add(filter.last_report());
+        }
     }
     result_.add_pose(frame.scan.stamp_ns, filter);
 }
@@ -47,14 +50,13 @@ void RunFolder::add(const SensorFrame& frame, const Rbpf& filter, bool moved) {
 void RunFolder::finish(const FilterRun& run, const MapRaster& map) {
     const StageTimer timer(write_s_);
     result_.finish(map, run.trajectory);
-    complete_logs();
+    complete_streams();
     write_trajectory("trajectory.tum", run.trajectory);
     write_trajectory("trajectory_online.tum", run.online);
     write_trajectory("ground_truth.tum", run.ground_truth);
     write_map_files(folder_, "map", map);
     files_.insert(files_.end(), {"map.pgm", "map.yaml"});
     write_map_picture(place("map.png"), map, run.trajectory);
-    write_degeneracy_csv(place("degeneracy.csv"), course_.updates());
     write_degeneracy_picture(place("degeneracy.png"), course_.updates(), map, run.trajectory);
 }
 
@@ -70,9 +72,10 @@ bool RunFolder::write_page(const std::function<html::Page()>& make) {
     return written;
 }
 
-void RunFolder::complete_logs() {
+void RunFolder::complete_streams() {
     result_.close();
-    files_.emplace_back(result_name);
+    degeneracy_.close();
+    files_.insert(files_.end(), {result_name, degeneracy_name});
     if (snapshots_) {
         snapshots_->close();
         files_.emplace_back(snapshots_name);

@@ -7,6 +7,7 @@
 
 #include "base/settings.hpp"
 #include "html/page.hpp"
+#include "results/degeneracy_files.hpp"
 #include "results/map_raster.hpp"
 #include "results/result_log.hpp"
 #include "results/run_course.hpp"
@@ -31,7 +32,7 @@ public:
     void write_json(const std::string& name, const Json& content);
     /// report.html, as html::write_page() does.
     bool write_page(const std::function<html::Page()>& make);
-    /// What the filter did so far.
+    /// What the filter did so far, as far as pictures need it.
     [[nodiscard]] const RunCourse& course() const { return course_; }
 
     /// Names of the files written.
@@ -42,12 +43,13 @@ public:
 private:
     std::filesystem::path place(const std::string& name);
     void write_trajectory(const std::string& name, const Trajectory& trajectory);
-    void complete_logs();
+    void complete_streams();
 
     std::filesystem::path folder_;
     std::vector<std::string> files_;
     ResultLog result_;
     std::optional<SnapshotWriter> snapshots_;
+    DegeneracyCsv degeneracy_;
     RunCourse course_;
     double write_s_ = 0.0;
 };

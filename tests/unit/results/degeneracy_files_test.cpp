@@ -45,7 +45,10 @@ TEST(DegeneracyCsv, HasARowAnUpdateAndAllColumns) {
     const std::vector<UpdateReport> reports = reports_of_a_run();
     ASSERT_GT(reports.size(), 20U);
     const test::TemporaryFolder folder;
-    write_degeneracy_csv(folder / "degeneracy.csv", reports);
+    DegeneracyCsv csv(folder / "degeneracy.csv");
+    std::for_each(reports.begin(), reports.end(), [&](const UpdateReport& report) { csv.add(report); });
+    EXPECT_FALSE(std::filesystem::exists(folder / "degeneracy.csv"));
+    csv.close();
     std::size_t columns = 0;
     const auto rows = rows_of(read_file(folder / "degeneracy.csv"), columns);
     ASSERT_EQ(rows.size(), reports.size());
