@@ -43,7 +43,9 @@ public:
         const std::optional<learning::ProcessGroup> group = learning::process_group();
         learning::TrainRequest own = request;
         if (group && request.device == "cuda") {
-            own.device = "cuda:" + std::to_string(group->local_rank);
+            // A launcher may show each process no GPU but its own.
+            const auto gpus = static_cast<std::size_t>(torch::cuda::device_count());
+            own.device = "cuda:" + std::to_string(group->local_rank % gpus);
         }
         if (group && group->rank.rank > 0) {
             set_log_level(LogLevel::error);
@@ -53,7 +55,10 @@ public:
         }
         // Numbers too small for full precision make a processor many times slower and mean nothing here.
         at::globalContext().setFlushDenormal(true);
-        const training::Ranks ranks(group, torch::Device(own.device));
+        const torch::Device device(own.device);
+        // Whatever names no device would otherwise take memory of the first GPU in every process.
+        const c10::DeviceGuard guard(device);
+        const training::Ranks ranks(group, device);
         learning::TrainResult result = training::Trainer(own, ranks).run();
         result.leads = ranks.leads();
         return result;

@@ -58,9 +58,9 @@ auto Checkpoint::guarded(Action&& action) {
     return models::guarded_by_path(path_, "not a whole checkpoint", action);
 }
 
-Checkpoint::Checkpoint(const std::filesystem::path& path) : path_(path) {
+Checkpoint::Checkpoint(const std::filesystem::path& path, torch::Device device) : path_(path) {
     const std::string bytes = read_file(path);
-    guarded([&] { archive_.load_from(bytes.data(), bytes.size(), torch::Device(torch::kCPU)); });
+    guarded([&] { archive_.load_from(bytes.data(), bytes.size(), device); });
 }
 
 std::string Checkpoint::text(const char* key) {
@@ -104,7 +104,7 @@ void Checkpoint::restore(models::Network& network, torch::optim::Optimizer& opti
         archive_.read(random_key, random);
         at::Generator generator = at::detail::getDefaultCPUGenerator();
         const std::lock_guard lock(generator.mutex());
-        generator.set_state(random);
+        generator.set_state(random.to(torch::kCPU));
     });
 }
 

@@ -23,10 +23,11 @@ void write_checkpoint(const std::filesystem::path& path, const models::Network& 
 /// A checkpoint that was opened. Every member throws Error naming the file where it is damaged.
 class Checkpoint {
 public:
-    explicit Checkpoint(const std::filesystem::path& path);
+    /// Its tensors go to the device, and so does what is restored from it.
+    explicit Checkpoint(const std::filesystem::path& path, torch::Device device = torch::kCPU);
 
     [[nodiscard]] native::ModelDescription description();
-    /// The network in float32 on the CPU.
+    /// The network in float32.
     [[nodiscard]] std::shared_ptr<models::Network> network();
     /// Where the training stood. Throws Error for a checkpoint without it, such as the best one.
     [[nodiscard]] TrainingState state();

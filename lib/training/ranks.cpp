@@ -16,7 +16,10 @@
 namespace ddtool::training {
 namespace {
 
-constexpr std::chrono::minutes patience{5};
+/// To meet; a rank that is lost afterwards is noticed at once, by its connection.
+constexpr std::chrono::minutes patience_to_meet{5};
+/// The others wait while rank 0 validates.
+constexpr std::chrono::minutes patience{30};
 
 /// torchrun keeps a store of its own at the master's address, which everyone then uses.
 bool store_is_hosted() { return learning::process_environment("TORCHELASTIC_USE_AGENT_STORE") == "True"; }
@@ -43,14 +46,19 @@ public:
         options.isServer = group.rank.rank == 0 && !store_is_hosted();
         options.numWorkers = group.rank.world_size;
         options.waitWorkers = !store_is_hosted();
-        options.timeout = patience;
+        options.timeout = patience_to_meet;
+#if TORCH_VERSION_MAJOR > 2 || (TORCH_VERSION_MAJOR == 2 && TORCH_VERSION_MINOR >= 4)
+        options.useLibUV = false;  // the default, which not every LibTorch is built with; both speak the same
+#endif
         const auto meeting = c10::make_intrusive<c10d::TCPStore>(group.master_address, options);
         const auto store = c10::make_intrusive<c10d::PrefixStore>("ddtool", meeting);
         const auto rank = static_cast<int>(group.rank.rank);
         const auto size = static_cast<int>(group.rank.world_size);
 #ifdef USE_C10D_NCCL
         if (device.is_cuda()) {
-            backend_ = c10::make_intrusive<c10d::ProcessGroupNCCL>(store, rank, size);
+            const auto nccl = c10d::ProcessGroupNCCL::Options::create();
+            nccl->timeout = patience;
+            backend_ = c10::make_intrusive<c10d::ProcessGroupNCCL>(store, rank, size, nccl);
             return;
         }
 #endif

@@ -13,7 +13,8 @@
 namespace ddtool::training {
 
 /// The processes of one training and what they tell each other, over LibTorch's c10d: Gloo on the CPU, NCCL on CUDA
-/// where LibTorch has it. Alone, everything is a no-op. Every member throws Error when another rank was lost.
+/// where LibTorch has it. Alone, everything is a no-op. Every member throws Error when another rank was lost;
+/// of NCCL, LibTorch's own watchdog ends the process instead.
 class Ranks {
 public:
     /// Meets the others at the master's address; alone without a process group.

@@ -100,7 +100,7 @@ void Trainer::resume() {
         log_info(last.string() + " is not there: training starts from the beginning");
         return;
     }
-    Checkpoint checkpoint(last);
+    Checkpoint checkpoint(last, device_);
     const TrainingState before = checkpoint.state();
     expect_same_run(state_, before, last);
     checkpoint.restore(*network_, *optimizer_);
