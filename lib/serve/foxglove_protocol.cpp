@@ -29,7 +29,7 @@ std::string quoted(const Json& value) {
     return value.dump(-1, ' ', true, Json::error_handler_t::replace).substr(0, 40);
 }
 
-/// get() alone would take -1 and 2^32 for other numbers.
+/// In words for who writes a client.
 std::uint32_t id(const Json& number) {
     if (!number.is_number_unsigned() || number.get<std::uint64_t>() > std::numeric_limits<std::uint32_t>::max()) {
         throw Error("expected an id from 0 to 4294967295, not " + quoted(number));
