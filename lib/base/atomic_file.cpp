@@ -63,12 +63,6 @@ AtomicStream::AtomicStream(const std::filesystem::path& path) : path_(path), fil
     }
 }
 
-std::ostream& AtomicStream::stream() {
-    expect_written();
-    errno = 0;
-    return stream_;
-}
-
 void AtomicStream::close() {
     stream_.close();
     expect_written();
@@ -83,7 +77,7 @@ void AtomicStream::expect_written() const {
 
 void write_file(const std::filesystem::path& path, const std::function<void(std::ostream&)>& write) {
     AtomicStream file(path);
-    write(file.stream());
+    file.write(write);
     file.close();
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cerrno>
 #include <filesystem>
 #include <fstream>
 #include <functional>
@@ -42,8 +43,13 @@ private:
 class AtomicStream {
 public:
     explicit AtomicStream(const std::filesystem::path& path);
-    /// Where to write; throws when what was written before did not get there.
-    std::ostream& stream();
+    /// Calls write(std::ostream&).
+    template <typename Write>
+    void write(Write&& write) {
+        errno = 0;
+        write(stream_);
+        expect_written();
+    }
     /// Completes the file.
     void close();
 

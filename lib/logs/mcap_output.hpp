@@ -3,7 +3,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
-#include <fstream>
 #include <span>
 
 #include "base/atomic_file.hpp"
@@ -15,11 +14,11 @@ namespace ddtool {
 /// at commit(). Every call throws OutputError, naming the file, when it cannot be written.
 class McapOutput {
 public:
-    explicit McapOutput(const std::filesystem::path& path);
+    explicit McapOutput(const std::filesystem::path& path) : file_(path) {}
 
     void put(std::span<const std::byte> bytes);
     void put_record(McapOpcode opcode, const McapFieldWriter& content);
-    void commit();
+    void commit() { file_.close(); }
 
     /// Bytes written so far.
     [[nodiscard]] std::uint64_t offset() const { return offset_; }
@@ -28,9 +27,7 @@ public:
     void restart_crc() { crc_ = 0; }
 
 private:
-    std::filesystem::path path_;
-    AtomicFile file_;
-    std::ofstream stream_;
+    AtomicStream file_;
     std::uint64_t offset_ = 0;
     std::uint32_t crc_ = 0;
 };

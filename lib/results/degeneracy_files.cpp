@@ -51,9 +51,13 @@ void draw_time_line(plot::Axes& axes, const std::vector<UpdateReport>& updates) 
 
 }  // namespace
 
-DegeneracyCsv::DegeneracyCsv(const std::filesystem::path& file) : file_(file) { file_.stream() << header; }
+DegeneracyCsv::DegeneracyCsv(const std::filesystem::path& file) : file_(file) {
+    file_.write([](std::ostream& out) { out << header; });
+}
 
-void DegeneracyCsv::add(const UpdateReport& update) { write_row(file_.stream(), update); }
+void DegeneracyCsv::add(const UpdateReport& update) {
+    file_.write([&](std::ostream& out) { write_row(out, update); });
+}
 
 void write_degeneracy_picture(const std::filesystem::path& file, const std::vector<UpdateReport>& updates,
                               const MapRaster& map, const Trajectory& path) {
