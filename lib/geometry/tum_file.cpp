@@ -8,7 +8,6 @@
 #include <ostream>
 #include <string_view>
 
-#include "base/atomic_file.hpp"
 #include "base/row_file.hpp"
 #include "base/text.hpp"
 
@@ -52,19 +51,26 @@ Trajectory read_tum(const std::filesystem::path& path) {
 }
 
 void write_tum(const std::filesystem::path& path, const Trajectory& trajectory) {
-    write_file(path, [&](std::ostream& out) {
-        out << "# stamp_s x_m y_m z_m qx qy qz qw\n";
-        for (const StampedPose& stamped : trajectory) {
-            const Pose2& pose = stamped.pose;
-            const std::int64_t magnitude = stamped.stamp_ns < 0 ? -stamped.stamp_ns : stamped.stamp_ns;
-            std::array<char, 256> text{};
-            std::snprintf(text.data(), text.size(), "%s%lld.%09lld %.6f %.6f 0 0 0 %.9f %.9f\n",
-                          stamped.stamp_ns < 0 ? "-" : "", static_cast<long long>(magnitude / ns_per_s),
-                          static_cast<long long>(magnitude % ns_per_s), pose.x_m, pose.y_m,
-                          std::sin(pose.theta_rad / 2.0), std::cos(pose.theta_rad / 2.0));
-            out << text.data();
-        }
-    });
+    TumStream file(path);
+    for (const StampedPose& pose : trajectory) {
+        file.add(pose);
+    }
+    file.close();
+}
+
+TumStream::TumStream(const std::filesystem::path& path) : file_(path) {
+    file_.write([](std::ostream& out) { out << "# stamp_s x_m y_m z_m qx qy qz qw\n"; });
+}
+
+void TumStream::add(const StampedPose& stamped) {
+    const Pose2& pose = stamped.pose;
+    const std::int64_t magnitude = stamped.stamp_ns < 0 ? -stamped.stamp_ns : stamped.stamp_ns;
+    std::array<char, 256> text{};
+    std::snprintf(text.data(), text.size(), "%s%lld.%09lld %.6f %.6f 0 0 0 %.9f %.9f\n",
+                  stamped.stamp_ns < 0 ? "-" : "", static_cast<long long>(magnitude / ns_per_s),
+                  static_cast<long long>(magnitude % ns_per_s), pose.x_m, pose.y_m, std::sin(pose.theta_rad / 2.0),
+                  std::cos(pose.theta_rad / 2.0));
+    file_.write([&](std::ostream& out) { out << text.data(); });
 }
 
 }  // namespace ddtool

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "base/atomic_file.hpp"
 #include "geometry/trajectory.hpp"
 
 namespace ddtool {
@@ -10,5 +11,17 @@ namespace ddtool {
 /// Of a 3-D pose, x, y and the yaw are kept. Throws Error naming the file, the line and what was expected.
 Trajectory read_tum(const std::filesystem::path& path);
 void write_tum(const std::filesystem::path& path, const Trajectory& trajectory);
+
+/// The same, pose by pose. Throws OutputError naming the file.
+class TumStream {
+public:
+    explicit TumStream(const std::filesystem::path& path);
+    void add(const StampedPose& pose);
+    /// Completes the file; without it nothing is left behind.
+    void close() { file_.close(); }
+
+private:
+    AtomicStream file_;
+};
 
 }  // namespace ddtool

@@ -4,7 +4,6 @@
 
 #include "base/atomic_file.hpp"
 #include "base/folder.hpp"
-#include "geometry/tum_file.hpp"
 #include "results/map_files.hpp"
 #include "results/map_picture.hpp"
 
@@ -14,12 +13,16 @@ namespace {
 constexpr const char* result_name = "result.mcap";
 constexpr const char* snapshots_name = "snapshots.mcap";
 constexpr const char* degeneracy_name = "degeneracy.csv";
+constexpr const char* online_name = "trajectory_online.tum";
 constexpr const char* page_name = "report.html";
 
 }  // namespace
 
 RunFolder::RunFolder(std::filesystem::path folder, bool with_snapshots)
-    : folder_(made_folder(std::move(folder))), result_(folder_ / result_name), degeneracy_(folder_ / degeneracy_name) {
+    : folder_(made_folder(std::move(folder))),
+      result_(folder_ / result_name),
+      degeneracy_(folder_ / degeneracy_name),
+      online_(folder_ / online_name) {
     if (with_snapshots) {
         snapshots_.emplace(folder_ / snapshots_name);
     }
@@ -45,6 +48,7 @@ void RunFolder::add(const SensorFrame& frame, const Rbpf& filter, bool moved) {
         }
     }
     result_.add_pose(frame.scan.stamp_ns, filter);
+    online_.add({frame.scan.stamp_ns, filter.pose()});
 }
 
 void RunFolder::finish(const FilterRun& run, const MapRaster& map) {
@@ -52,7 +56,6 @@ void RunFolder::finish(const FilterRun& run, const MapRaster& map) {
     result_.finish(map, run.trajectory);
     complete_streams();
     write_trajectory("trajectory.tum", run.trajectory);
-    write_trajectory("trajectory_online.tum", run.online);
     write_trajectory("ground_truth.tum", run.ground_truth);
     write_map_files(folder_, "map", map);
     files_.insert(files_.end(), {"map.pgm", "map.yaml"});
@@ -75,7 +78,8 @@ bool RunFolder::write_page(const std::function<html::Page()>& make) {
 void RunFolder::complete_streams() {
     result_.close();
     degeneracy_.close();
-    files_.insert(files_.end(), {result_name, degeneracy_name});
+    online_.close();
+    files_.insert(files_.end(), {result_name, degeneracy_name, online_name});
     if (snapshots_) {
         snapshots_->close();
         files_.emplace_back(snapshots_name);

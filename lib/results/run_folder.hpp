@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/settings.hpp"
+#include "geometry/tum_file.hpp"
 #include "html/page.hpp"
 #include "results/degeneracy_files.hpp"
 #include "results/map_raster.hpp"
@@ -50,6 +51,7 @@ private:
     ResultLog result_;
     std::optional<SnapshotWriter> snapshots_;
     DegeneracyCsv degeneracy_;
+    TumStream online_;
     RunCourse course_;
     double write_s_ = 0.0;
 };

@@ -1,5 +1,6 @@
 #include "results/run_messages.hpp"
 
+#include <algorithm>
 #include <array>
 
 #include "logs/ros_conversions.hpp"
@@ -12,14 +13,16 @@ constexpr const char* odom_frame = "odom";
 constexpr const char* robot_frame = "base_link";
 constexpr const char* laser_frame = "laser";
 
-/// Poses of the path nearer than this to the one before say nothing in a picture.
+/// Poses of the path nearer than this to the one before say nothing in a picture; nor does one among so many.
 constexpr double path_step_m = 0.1;
+constexpr double most_path_poses = 65'536.0;
 
-/// The poses that show the way: path_step_m apart, and the last.
+/// The poses that show the way, a step apart, and the last.
 Trajectory thinned(const Trajectory& path) {
+    const double step_m = std::max(path_step_m, path_length_m(path) / most_path_poses);
     Trajectory kept;
     for (const StampedPose& pose : path) {
-        if (kept.empty() || distance_m(kept.back().pose, pose.pose) >= path_step_m) {
+        if (kept.empty() || distance_m(kept.back().pose, pose.pose) >= step_m) {
             kept.push_back(pose);
         }
     }

@@ -21,13 +21,12 @@ FilterRun run_filter(SensorStream& stream, Rbpf& filter, const FrameObserver& ob
             break;
         }
         const bool moved = filter.process(*frame);
-        run.online.push_back({frame->scan.stamp_ns, filter.pose()});
         if (frame->world_from_robot) {
             run.ground_truth.push_back({frame->scan.stamp_ns, *frame->world_from_robot});
         }
         wanted = observe(*frame, moved);
     }
-    if (!run.online.empty()) {
+    if (!filter.particles().empty()) {
         run.map = filter.best().grid;
     }
     run.trajectory = filter.trajectory();

@@ -11,7 +11,6 @@ namespace ddtool {
 /// What a filter made of a stream.
 struct FilterRun {
     Trajectory trajectory;                   ///< a pose for every scan, by the history of the best particle at the end
-    Trajectory online;                       ///< a pose for every scan, as known when it was taken
     Trajectory ground_truth;                 ///< where the stream has it
     OccupancyGrid map{OccupancySettings{}};  ///< the best particle's
     std::uint64_t updates = 0;

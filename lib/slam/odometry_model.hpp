@@ -14,7 +14,8 @@ struct ObservedMotion {
     double duration_s = 0.0;  ///< 0 where stamps do not rise
     /// What the scan says of the pose after the motion (x, y, theta in the robot's frame then; 1/m^2, 1/(m rad), ...).
     Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
-    /// Pose so many updates ago (0: now) of the particle believed most, after scan matching, or of its ancestor then.
+    /// Pose so many updates ago (0: now) of the particle believed most, after scan matching, or of its ancestor then;
+    /// no further back than a thousand updates is certain, then it is the oldest.
     std::function<Pose2(std::size_t)> pose_before;
 };
 

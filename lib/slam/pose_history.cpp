@@ -1,6 +1,7 @@
 #include "slam/pose_history.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace ddtool {
 
@@ -28,11 +29,11 @@ void PoseHistory::release(Node node) {
     }
 }
 
-const Pose2& PoseHistory::pose_before(Node node, std::size_t generations) const {
-    for (; generations > 0; --generations) {
+PoseHistory::Node PoseHistory::ancestor(Node node, std::size_t generations) const {
+    for (; generations > 0 && entries_[node].parent != none; --generations) {
         node = entries_[node].parent;
     }
-    return entries_[node].pose;
+    return node;
 }
 
 std::vector<Pose2> PoseHistory::path(Node node) const {
@@ -43,5 +44,7 @@ std::vector<Pose2> PoseHistory::path(Node node) const {
     std::reverse(poses.begin(), poses.end());
     return poses;
 }
+
+void PoseHistory::forget_before(Node node) { release(std::exchange(entries_[node].parent, none)); }
 
 }  // namespace ddtool

@@ -2,14 +2,16 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <vector>
 
 #include "geometry/pose2.hpp"
 
 namespace ddtool {
 
-/// The poses of all living particles since the start, as a tree in which descendants share their past. What no living
-/// particle descends from is given back, so memory grows with the run, not with run times particles.
+/// The poses of all living particles, as a tree in which descendants share their past. What no living particle descends
+/// from is given back, so memory grows with the run, not with run times particles, and no further than to what is
+/// forgotten.
 class PoseHistory {
 public:
     using Node = std::uint32_t;
@@ -20,10 +22,16 @@ public:
     void acquire(Node node);
     /// Gives up one ownership; nodes without owners and descendants are freed.
     void release(Node node);
-    /// The pose so many generations before `node`'s (0: its own), which must be there.
-    [[nodiscard]] const Pose2& pose_before(Node node, std::size_t generations) const;
+    /// The node so many generations before (0: itself), or the first, where there are fewer.
+    [[nodiscard]] Node ancestor(Node node, std::size_t generations) const;
+    /// Its pose.
+    [[nodiscard]] const Pose2& pose_before(Node node, std::size_t generations) const {
+        return entries_[ancestor(node, generations)].pose;
+    }
     /// Poses from the first to `node`.
     [[nodiscard]] std::vector<Pose2> path(Node node) const;
+    /// `node`, from which all that live descend, becomes the first.
+    void forget_before(Node node);
     /// Nodes in use.
     [[nodiscard]] std::size_t size() const { return entries_.size() - free_.size(); }
 
@@ -33,7 +41,7 @@ private:
         Node parent = none;
         std::uint32_t owners = 0;  ///< particles and child nodes
     };
-    std::vector<Entry> entries_;
+    std::deque<Entry> entries_;
     std::vector<Node> free_;
 };
 

@@ -21,6 +21,9 @@ double motion_share(const Pose2& motion, const RbpfSettings& settings) {
                     std::abs(motion.theta_rad) / settings.update_turn_rad);
 }
 
+/// No particle's past is settled nearer than this to the present; odometry is learnt over some dozens.
+constexpr std::uint64_t kept_updates = 1024;
+
 /// A pause in a log is no time in which a gyro drifted.
 constexpr double longest_step_s = 2.0;
 
@@ -69,6 +72,9 @@ bool Rbpf::process(const SensorFrame& frame) {
         ++updates_;
     }
     scans_.push_back({frame.scan.stamp_ns, updates_ - 1, moved ? Pose2{} : motion, moved ? 0.0 : share});
+    if (moved && updates_ % kept_updates == 0) {
+        settle_past();
+    }
     return moved;
 }
 
@@ -268,22 +274,48 @@ Eigen::Matrix3d Rbpf::pose_covariance() const {
                                 strategies_.odometry->sigmas(scan.motion, std::clamp(since_s, 0.0, longest_step_s)));
 }
 
-/// Between two updates the odometry is followed, and what the second update corrected is spread over the way.
 Trajectory Rbpf::trajectory() const {
     if (particles_.empty()) {
         return {};
     }
     const std::vector<Pose2> poses = history_.path(best().history);
-    Trajectory trajectory;
+    Trajectory trajectory(settled_.begin(), settled_.end());
     for (const ScanRecord& scan : scans_) {
-        Pose2 correction;
-        if (scan.update + 1 < poses.size()) {
-            const Pose2 by_odometry = poses[scan.update] * odometry_motions_[scan.update + 1];
-            correction = interpolate({}, between(by_odometry, poses[scan.update + 1]), scan.share);
-        }
-        trajectory.push_back({scan.stamp_ns, poses[scan.update] * scan.motion * correction});
+        trajectory.push_back(pose_of(scan, poses));
     }
     return trajectory;
+}
+
+/// Between two updates the odometry is followed, and what the second update corrected is spread over the way. `poses`
+/// are those of the updates from first_update_.
+StampedPose Rbpf::pose_of(const ScanRecord& scan, const std::vector<Pose2>& poses) const {
+    const std::size_t update = scan.update - first_update_;
+    Pose2 correction;
+    if (update + 1 < poses.size()) {
+        const Pose2 by_odometry = poses[update] * odometry_motions_[update + 1];
+        correction = interpolate({}, between(by_odometry, poses[update + 1]), scan.share);
+    }
+    return {scan.stamp_ns, poses[update] * scan.motion * correction};
+}
+
+/// Nothing that is still to come changes the poses before a common ancestor, so a pose a scan is enough of them.
+void Rbpf::settle_past() {
+    const PoseHistory::Node common = history_.ancestor(particles_.front().history, kept_updates);
+    if (!std::all_of(particles_.begin(), particles_.end(), [&](const Particle& particle) {
+            return history_.ancestor(particle.history, kept_updates) == common;
+        })) {
+        return;
+    }
+    const std::vector<Pose2> poses = history_.path(common);
+    const std::size_t updates = poses.size() - 1;
+    while (scans_.front().update < first_update_ + updates) {
+        settled_.push_back(pose_of(scans_.front(), poses));
+        scans_.pop_front();
+    }
+    odometry_motions_.erase(odometry_motions_.begin(),
+                            odometry_motions_.begin() + static_cast<std::ptrdiff_t>(updates));
+    history_.forget_before(common);
+    first_update_ += updates;
 }
 
 }  // namespace ddtool

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <functional>
 #include <optional>
 #include <vector>
@@ -110,6 +111,8 @@ private:
     bool resample_if_poor(const ParticleSnapshot& swarm, const Degeneracy& degeneracy);
     void insert_scan(const ScanPoints& points, const Pose2& odom_from_robot);
     void remember();
+    void settle_past();
+    [[nodiscard]] StampedPose pose_of(const ScanRecord& scan, const std::vector<Pose2>& poses) const;
 
     RbpfSettings settings_;
     ThreadPool& threads_;
@@ -118,8 +121,10 @@ private:
     std::vector<Worker> workers_;
     std::vector<Particle> particles_;
     PoseHistory history_;
-    std::vector<ScanRecord> scans_;
-    std::vector<Pose2> odometry_motions_;  ///< odometry motion before each update
+    std::deque<StampedPose> settled_;     ///< scans of the past that all particles share; a deque grows without copies
+    std::uint64_t first_update_ = 0;      ///< the first that is not settled, where history_ begins
+    std::deque<ScanRecord> scans_;        ///< since that update
+    std::deque<Pose2> odometry_motions_;  ///< odometry motion before it and each update since
     Pose2 odom_at_update_;
     std::int64_t stamp_at_update_ns_ = 0;
     Pose2 odom_at_insertion_;

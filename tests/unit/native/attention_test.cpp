@@ -10,7 +10,7 @@ constexpr std::size_t width = 64;
 
 TEST(Attention, IsThatOfItsDefinition) {
     const std::vector<float> in = drawn_floats(tokens * 3 * width, 12);
-    for (const std::size_t heads : {1, 2, 4}) {
+    for (const std::size_t heads : {1U, 2U, 4U}) {
         Attention own(tokens, width, heads);
         expect_near(own.run(in.data()), naive::attention(doubles(in), width, heads), 5e-6);
     }

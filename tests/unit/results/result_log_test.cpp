@@ -36,6 +36,7 @@ protected:
                 swarms_.push_back(small_.filter().particles().size());
             }
             log.add_pose(frame.scan.stamp_ns, small_.filter());
+            online_.push_back(small_.filter().pose());
             covariances_.push_back(small_.filter().pose_covariance());
             return true;
         });
@@ -65,6 +66,7 @@ protected:
     FilterRun result_;
     std::vector<SensorFrame> used_;
     std::vector<Pose2> poses_;
+    std::vector<Pose2> online_;  ///< of every scan
     std::vector<Eigen::Matrix3d> covariances_;
     std::vector<std::size_t> swarms_;
 };
@@ -89,10 +91,10 @@ TEST_F(ResultLogTest, TellsTheDegreeOfEveryUpdateButTheFirst) {
 
 TEST_F(ResultLogTest, TellsPoseAndCovarianceOfEveryScan) {
     const auto poses = messages<ros::PoseWithCovarianceStamped>("/pose");
-    ASSERT_EQ(poses.size(), result_.online.size());
+    ASSERT_EQ(poses.size(), result_.trajectory.size());
     for (std::size_t i = 0; i < poses.size(); ++i) {
-        EXPECT_EQ(poses[i].header.stamp.ns, result_.online[i].stamp_ns);
-        expect_near(planar(poses[i].pose), result_.online[i].pose);
+        EXPECT_EQ(poses[i].header.stamp.ns, result_.trajectory[i].stamp_ns);
+        expect_near(planar(poses[i].pose), online_[i]);
         EXPECT_EQ(poses[i].covariance[0], covariances_[i](0, 0));
         EXPECT_EQ(poses[i].covariance[5], covariances_[i](0, 2));
         EXPECT_EQ(poses[i].covariance[14], 0.0);
@@ -129,6 +131,20 @@ TEST_F(ResultLogTest, EndsWithTheMapAndThePath) {
     expect_near(planar(paths.back().poses.front().pose), result_.trajectory.front().pose);
     expect_near(planar(paths.back().poses.back().pose), result_.trajectory.back().pose);
     EXPECT_LT(paths.back().poses.size(), result_.trajectory.size());
+}
+
+TEST_F(ResultLogTest, HoldsAPathThatStaysSmallOnALongDrive) {
+    Trajectory drive;
+    for (std::int64_t i = 0; i < 200'000; ++i) {
+        drive.push_back({i, {static_cast<double>(i), 0.0, 0.0}});
+    }
+    ResultLog log(file_);
+    log.finish(map_raster(result_.map), drive);
+    log.close();
+    const std::vector<ros::PoseStamped> poses = messages<ros::Path>("/path").at(0).poses;
+    EXPECT_LE(poses.size(), 65'538U);
+    EXPECT_GT(poses.size(), 40'000U);
+    EXPECT_EQ(poses.back().header.stamp.ns, drive.back().stamp_ns);
 }
 
 TEST_F(ResultLogTest, HoldsTheParticles) {

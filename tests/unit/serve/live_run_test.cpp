@@ -31,7 +31,7 @@ TEST(LiveRun, TellsEveryScanAndShowsTheMapFromTheStartToTheEnd) {
     });
     const MapRaster map = map_raster(run.map);
     live.finish(map, run.trajectory);
-    EXPECT_EQ(told.topics["/pose"].size(), run.online.size());
+    EXPECT_EQ(told.topics["/pose"].size(), run.trajectory.size());
     EXPECT_EQ(told.topics["/particlecloud"].size(), run.updates);
     EXPECT_EQ(told.topics["/degeneracy"].size(), run.updates - 1);
     EXPECT_EQ(told.topics["/path"].size(), told.topics["/map"].size());

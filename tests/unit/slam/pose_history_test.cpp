@@ -99,6 +99,29 @@ TEST(PoseHistory, OfAResampledSwarmGrowsWithTheRunAlone) {
     EXPECT_LT(history.size(), updates + 40 * particles);
 }
 
+TEST(PoseHistory, ForgetsWhatIsBeforeACommonAncestor) {
+    RandomStream random{3};
+    PoseHistory history;
+    Walker trunk;
+    for (int i = 0; i < 10; ++i) {
+        step(history, trunk, random);
+    }
+    Walker branch;
+    become_copy(history, branch, trunk);
+    step(history, trunk, random);
+    step(history, branch, random);
+    const PoseHistory::Node common = history.ancestor(trunk.node, 4);
+    EXPECT_EQ(history.ancestor(branch.node, 4), common);
+    const std::vector<Pose2> whole = history.path(branch.node);
+    history.forget_before(common);
+    EXPECT_EQ(history.size(), 6U);
+    EXPECT_EQ(history.path(branch.node), std::vector<Pose2>(whole.begin() + 6, whole.end()));
+    EXPECT_EQ(history.ancestor(trunk.node, 100), common);
+    history.release(trunk.node);
+    history.release(branch.node);
+    EXPECT_EQ(history.size(), 0U);
+}
+
 TEST(PoseHistory, OfNoNodeIsNoPath) {
     PoseHistory history;
     EXPECT_TRUE(history.path(PoseHistory::none).empty());

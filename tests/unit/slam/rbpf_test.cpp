@@ -122,5 +122,47 @@ TEST(Rbpf, TrajectoryEndsAtThePresentPose) {
     }
 }
 
+/// A straight way of updates that see nothing.
+std::vector<SensorFrame> long_drive(std::size_t updates) {
+    std::vector<SensorFrame> frames(updates, without_returns({room_drive().front()}).front());
+    for (std::size_t i = 0; i < updates; ++i) {
+        frames[i].scan.stamp_ns = static_cast<std::int64_t>(i);
+        frames[i].odom_from_robot = {0.2 * static_cast<double>(i), 0.0, 0.0};
+    }
+    return frames;
+}
+
+/// Settling happens at each 1024th update and leaves the last 1024 alone.
+TEST(Rbpf, ThePastThatAllParticlesShareStaysAsItWas) {
+    const std::vector<SensorFrame> frames = long_drive(2'300);
+    RbpfSettings settings = few_particles(3);
+    settings.resample_share = 1.1;  // always, so that lines of descent meet
+    ThreadPool threads(1);
+    Rbpf filter(settings, threads);
+    std::vector<Pose2> before;
+    for (std::size_t i = 0; i < frames.size(); ++i) {
+        filter.process(frames[i]);
+        if (i == 2'040) {
+            before = poses_of(filter.trajectory());
+        }
+    }
+    expect_finite_pose_for_every_scan(filter.trajectory(), frames);
+    std::vector<Pose2> after = poses_of(filter.trajectory());
+    EXPECT_EQ(after.back(), filter.pose());
+    before.resize(1'990);
+    after.resize(before.size());
+    EXPECT_EQ(after, before);
+}
+
+/// Three pasts that never meet, and one.
+TEST(Rbpf, NoLongDriveLosesAPose) {
+    const std::vector<SensorFrame> frames = long_drive(2'300);
+    for (const std::size_t particles : {1U, 3U}) {
+        RbpfSettings settings = few_particles(particles);
+        settings.resample_share = 0.0;
+        expect_finite_pose_for_every_scan(filtered(frames, settings), frames);
+    }
+}
+
 }  // namespace
 }  // namespace ddtool
