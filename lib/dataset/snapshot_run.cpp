@@ -31,6 +31,11 @@ constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 std::uint64_t key_of(const PlannedRun& run) { return Fingerprint().add(run.entry.id).value(); }
 
+/// Without the filter, so that filters of other settings see the same piece of the drive.
+std::uint64_t key_of_drive(const PlannedRun& run) {
+    return Fingerprint().add(run.input).add(run.configuration.at("simulation").dump()).value();
+}
+
 SnapshotThinning thinning_of(const PlannedRun& run) {
     return {thinning_from_json(run.configuration.at("thinning")), key_of(run)};
 }
@@ -95,7 +100,7 @@ SnapshotRun filter_world(const PlannedRun& run, const OnProgress& on_progress) {
                                      sim::simulation_from_json(run.configuration.at("simulation")));
     const DriveWindow window =
         window_of(simulation, run.entry, run.configuration.at("most_particle_updates").get<std::uint64_t>(),
-                  RandomStream({key_of(run)}));
+                  RandomStream({key_of_drive(run)}));
     Recorder recorder(run);
     for (std::size_t index = window.first_frame;
          index < simulation.frame_count() && recorder.updates() < window.most_updates; ++index) {

@@ -1,5 +1,6 @@
 #include <gmock/gmock.h>
 
+#include "dataset/snapshot_run.hpp"
 #include "results/snapshot_file.hpp"
 #include "small_dataset.hpp"
 #include "thrown_text.hpp"
@@ -41,6 +42,24 @@ TEST_F(BuildTest, AnotherThresholdNeedsNoRun) {
     EXPECT_EQ(degenerate(none, LabelRule::dispersion), 0U);
     EXPECT_EQ(degenerate(none, LabelRule::fisher), degenerate(first, LabelRule::fisher));
     EXPECT_EQ(degenerate(relabelled("fisher_ratio", 0.0), LabelRule::fisher), first.size());
+}
+
+TEST_F(BuildTest, SwarmsOfOtherSizesSeeTheSamePieceOfADrive) {
+    settings_["thinning"] = {{"every", 1U}, {"most_per_run", 100U}};
+    const auto stamps_ns = [&](std::size_t particles) {
+        settings_["mix"]["particles"] = Json::array({particles});
+        settings_["most_particle_updates"] = 5 * particles;
+        std::vector<std::int64_t> stamps;
+        for (const PlannedRun& run : plan_runs(settings_).runs) {
+            for (const Sample& sample : make_run(run, [](double) {}).samples) {
+                stamps.push_back(sample.record.stamp_ns);
+            }
+        }
+        return stamps;
+    };
+    const std::vector<std::int64_t> by_two = stamps_ns(2);
+    EXPECT_EQ(by_two.size(), 8U * 4U) << "of 5 updates each, all but the first";
+    EXPECT_EQ(stamps_ns(5), by_two);
 }
 
 TEST_F(BuildTest, ARecordingWithoutInformationHasOneLabelOnly) {
