@@ -24,15 +24,24 @@ struct Rotation {
         : c(static_cast<float>(std::cos(theta_rad))), s(static_cast<float>(std::sin(theta_rad))) {}
 };
 
+/// A cell's number. No map reaches to where there is none; what lies there sees as much at the last.
+int number_of(double whole_cells) {
+    constexpr double most_cells = 1e9;
+    return static_cast<int>(std::clamp(whole_cells, -most_cells, most_cells));
+}
+
 /// A pose in cells, with the whole part apart so that floats keep their precision far from the origin.
 struct CellPose {
     int x0, y0;
     float x, y;
-    CellPose(const Pose2& pose, double cell_size_m)
-        : x0(static_cast<int>(std::floor(pose.x_m / cell_size_m))),
-          y0(static_cast<int>(std::floor(pose.y_m / cell_size_m))),
-          x(static_cast<float>(pose.x_m / cell_size_m - x0)),
-          y(static_cast<float>(pose.y_m / cell_size_m - y0)) {}
+    CellPose(const Pose2& pose, double cell_size_m) : CellPose(pose.x_m / cell_size_m, pose.y_m / cell_size_m) {}
+
+private:
+    CellPose(double x_cells, double y_cells)
+        : x0(number_of(std::floor(x_cells))),
+          y0(number_of(std::floor(y_cells))),
+          x(static_cast<float>(x_cells - std::floor(x_cells))),
+          y(static_cast<float>(y_cells - std::floor(y_cells))) {}
 };
 
 /// std::floor is a library call on processors without SSE4.1. Coordinates are cells from the robot.

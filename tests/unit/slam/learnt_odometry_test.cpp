@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -25,7 +26,9 @@ void drive(LearntOdometry& odometry, double way_m, const Truth& truth, const Eig
     RandomStream random{7};
     const double root = std::sqrt(0.1);
     std::vector<Pose2> path{{}};
-    const auto pose_before = [&](std::size_t updates) { return path[path.size() - 1 - updates]; };
+    const auto pose_before = [&](std::size_t updates) {
+        return path[path.size() - 1 - std::min(updates, path.size() - 1)];
+    };
     for (double driven_m = 0.0; driven_m < way_m; driven_m += 0.1) {
         const Pose2 true_motion{truth.scale * 0.1 + truth.noise_m * root * random.normal(), 0.0,
                                 truth.bias_rad_per_s * 0.1 + truth.noise_rad * root * random.normal()};
