@@ -17,6 +17,9 @@ struct Cell {
     bool operator==(const Cell&) const = default;
 };
 
+/// Further from the world's origin than this cells have no number, and no map reaches.
+inline constexpr double most_cells = 1e9;
+
 /// Cells x_min..x_max-1, y_min..y_max-1.
 struct CellBox {
     int x_min = 0, y_min = 0, x_max = 0, y_max = 0;

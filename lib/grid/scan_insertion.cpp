@@ -32,9 +32,8 @@ std::int8_t offset_in_cell(double cells) {
         std::min(static_cast<int>(fraction * NearestPoint::units_per_cell) - half, half - 1));
 }
 
-/// Far enough out cells have no number, and beams of their own length no place.
+/// Far enough out beams of their own length have no place.
 void expect_on_earth(const Point2& laser_m, double cell_size_m) {
-    constexpr double most_cells = 1e9;
     if (!(std::abs(laser_m.x_m) < most_cells * cell_size_m && std::abs(laser_m.y_m) < most_cells * cell_size_m)) {
         throw Error("a scan taken at (" + std::to_string(laser_m.x_m) + " m, " + std::to_string(laser_m.y_m) +
                     " m): the poses jump; expected an odometry in metres");

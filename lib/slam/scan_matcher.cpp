@@ -24,11 +24,8 @@ struct Rotation {
         : c(static_cast<float>(std::cos(theta_rad))), s(static_cast<float>(std::sin(theta_rad))) {}
 };
 
-/// A cell's number. No map reaches to where there is none; what lies there sees as much at the last.
-int number_of(double whole_cells) {
-    constexpr double most_cells = 1e9;
-    return static_cast<int>(std::clamp(whole_cells, -most_cells, most_cells));
-}
+/// A cell's number; what lies where cells have none sees as much at the last that has one.
+int number_of(double whole_cells) { return static_cast<int>(std::clamp(whole_cells, -most_cells, most_cells)); }
 
 /// A pose in cells, with the whole part apart so that floats keep their precision far from the origin.
 struct CellPose {

@@ -47,8 +47,8 @@ TEST(Plan, MistakesAreNamedByTheirPlace) {
     EXPECT_THAT(complaint({{"rows", Json::array()}}), testing::HasSubstr("one or more"));
 }
 
-TEST(Plan, ThatOfThePaperHasEveryRowOfItsTableAndQuickIsOneToo) {
-    for (const auto& [name, rows] : {std::pair("paper", 11U), std::pair("quick", 5U)}) {
+TEST(Plan, ThatOfThePaperHasEveryRowOfItsTableAndTheOthersAreOnesToo) {
+    for (const auto& [name, rows] : {std::pair("paper", 11U), std::pair("quick", 5U), std::pair("swarms", 13U)}) {
         Json json = default_plan_json();
         merge_settings_file(json, std::string(DDTOOL_SOURCE_DIR) + "/configs/ablation/" + name + ".json");
         const Plan plan = plan_from_json(json);
