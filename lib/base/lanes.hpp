@@ -12,6 +12,7 @@ using Lanes = float __attribute__((vector_size(lane_count * sizeof(float))));
 
 /// Compiles a function for several vector widths; the processor's best is chosen when the program starts.
 #if defined(__x86_64__) && !defined(__SANITIZE_THREAD__) && !defined(__SANITIZE_ADDRESS__)
+#define DDTOOL_HAS_CLONES
 #define DDTOOL_VECTORISED __attribute__((target_clones("arch=x86-64-v3", "default")))
 #else
 #define DDTOOL_VECTORISED
@@ -19,8 +20,15 @@ using Lanes = float __attribute__((vector_size(lane_count * sizeof(float))));
 
 inline std::size_t round_up_to_lanes(std::size_t count) { return (count + lane_count - 1) / lane_count * lane_count; }
 
-inline void load(Lanes& lanes, const float* from) { std::memcpy(&lanes, from, sizeof lanes); }
-inline void store(float* to, const Lanes& lanes) { std::memcpy(to, &lanes, sizeof lanes); }
+template <typename Vector>
+inline __attribute__((always_inline)) void load(Vector& lanes, const float* from) {
+    std::memcpy(&lanes, from, sizeof lanes);
+}
+
+template <typename Vector>
+inline __attribute__((always_inline)) void store(float* to, const Vector& lanes) {
+    std::memcpy(to, &lanes, sizeof lanes);
+}
 
 inline double sum_of(const Lanes& lanes) {
     double sum = 0.0;

@@ -43,4 +43,9 @@ struct Product {
 /// Sums run over the inputs in order, one lane for each output: the same bytes on every processor.
 void multiply(const Product& product);
 
+/// What `multiply` is made of: the first for processors with AVX-512, the second for all others. Each gives the right
+/// sums on any processor; the first takes its time where it does not belong.
+void multiply_in_wide_lanes(const Product& product);
+void multiply_in_lanes(const Product& product);
+
 }  // namespace ddtool::native
