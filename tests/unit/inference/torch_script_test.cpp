@@ -49,6 +49,7 @@ TEST_P(ExportedModel, AgreesWithTheNetworkForAnyBatch) {
                 EXPECT_NEAR(degrees[static_cast<std::size_t>(index)], expected[index].item<double>(), 1e-5)
                     << loss << ", image " << index << " of " << count;
             }
+            EXPECT_TRUE(count < 64 || differ(degrees));
         }
     }
 }
