@@ -102,37 +102,12 @@ inline __attribute__((always_inline)) void multiply_in_tiles(const Product& prod
 /// 12 % slower.
 DDTOOL_VECTORISED void multiply_in_lanes(const Product& product) { multiply_in_tiles<Lanes, 6>(product); }
 
-#ifdef DDTOOL_HAS_CLONES
-
 /// AVX-512 has registers for a whole block. The compiler splits such a vector badly where there are none, so only tests
-/// call the second clone. The 49, 196 and 784 places of images of 224 px are whole tiles of seven points.
-__attribute__((target_clones("arch=x86-64-v4", "default"))) void multiply_in_wide_lanes(const Product& product) {
-    multiply_in_tiles<WideLanes, 7>(product);
-}
-
-namespace {
-
-/// All that x86-64-v4 asks for; Clang 14 does not know the level by its name.
-bool has_wide_lanes() {
-    return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
-           __builtin_cpu_supports("avx512cd") && __builtin_cpu_supports("avx512dq") &&
-           __builtin_cpu_supports("avx512vl");
-}
-
-}  // namespace
-
-#else
-
-void multiply_in_wide_lanes(const Product& product) { multiply_in_lanes(product); }
-
-namespace {
-bool has_wide_lanes() { return false; }
-}  // namespace
-
-#endif
+/// call it there. The 49, 196 and 784 places of images of 224 px are whole tiles of seven points.
+DDTOOL_VECTORISED_WIDE void multiply_in_wide_lanes(const Product& product) { multiply_in_tiles<WideLanes, 7>(product); }
 
 void multiply(const Product& product) {
-    static const bool wide = has_wide_lanes();
+    static const bool wide = has_wide_registers();
     wide ? multiply_in_wide_lanes(product) : multiply_in_lanes(product);
 }
 
