@@ -6,7 +6,7 @@
 namespace ddtool {
 namespace {
 
-std::string fixed(const Json& number, int decimals) { return fixed_text(number.get<double>(), decimals); }
+std::string fixed_json(const Json& number, int decimals) { return fixed_text(number.get<double>(), decimals); }
 
 }  // namespace
 
@@ -36,16 +36,16 @@ std::string slam_summary(const Json& report, const std::string& folder, const st
     const Json& run = report.at("run");
     const Json& map = run.at("map");
     const Json& cost = report.at("cost");
-    std::string text = "scans    " + run.at("scans").dump() + " in " + fixed(run.at("duration_s"), 1) + " s; " +
+    std::string text = "scans    " + run.at("scans").dump() + " in " + fixed_json(run.at("duration_s"), 1) + " s; " +
                        run.at("updates").dump() + " filter updates, " + run.at("resamplings").dump() + " resamplings\n";
-    text += "map      " + fixed(map.at("width_m"), 1) + " m x " + fixed(map.at("height_m"), 1) + " m, path " +
-            fixed(run.at("path_m"), 1) + " m\n";
+    text += "map      " + fixed_json(map.at("width_m"), 1) + " m x " + fixed_json(map.at("height_m"), 1) + " m, path " +
+            fixed_json(run.at("path_m"), 1) + " m\n";
     if (run.contains("errors")) {
-        text += "error    " + fixed(run.at("errors").at("ate_m").at("rmse"), 3) +
+        text += "error    " + fixed_json(run.at("errors").at("ate_m").at("rmse"), 3) +
                 " m rmse against the ground truth (ATE)\n";
     }
-    text += "cost     " + fixed(cost.at("wall_s"), 1) + " s, " + fixed(cost.at("cpu_s"), 1) + " s of CPU time, " +
-            fixed(1e-6 * cost.at("peak_memory_bytes").get<double>(), 0) + " MB of memory\n";
+    text += "cost     " + fixed_json(cost.at("wall_s"), 1) + " s, " + fixed_json(cost.at("cpu_s"), 1) +
+            " s of CPU time, " + fixed_json(1e-6 * cost.at("peak_memory_bytes").get<double>(), 0) + " MB of memory\n";
     return text + "written  " + folder + ": " + joined(files) + "\n";
 }
 
