@@ -6,7 +6,7 @@
 namespace ddtool {
 namespace {
 
-bool is_finite(const SnapshotParticle& particle) {
+bool is_finite_particle(const SnapshotParticle& particle) {
     return std::isfinite(particle.predicted_motion.x_m) && std::isfinite(particle.predicted_motion.y_m) &&
            std::isfinite(particle.matched_motion.x_m) && std::isfinite(particle.matched_motion.y_m);
 }
@@ -69,7 +69,7 @@ void response(std::span<const SnapshotParticle> particles, double least_spread_m
     Spread predicted;
     Spread matched;
     for (const SnapshotParticle& particle : particles) {
-        if (is_finite(particle)) {
+        if (is_finite_particle(particle)) {
             predicted.include(particle.predicted_motion);
             matched.include(particle.matched_motion);
         }
@@ -77,7 +77,7 @@ void response(std::span<const SnapshotParticle> particles, double least_spread_m
     const Point2 direction = weakest_direction(predicted, matched, least_spread_m);
     points.clear();
     for (const SnapshotParticle& particle : particles) {
-        if (is_finite(particle)) {
+        if (is_finite_particle(particle)) {
             points.push_back({dot(direction, predicted.deviation(particle.predicted_motion)),
                               dot(direction, matched.deviation(particle.matched_motion))});
         }

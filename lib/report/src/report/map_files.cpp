@@ -10,7 +10,7 @@
 namespace ddtool {
 namespace {
 
-char grey(std::int8_t cell) {
+char pgm_grey(std::int8_t cell) {
     if (cell == MapRaster::unknown) {
         return static_cast<char>(205);
     }
@@ -22,7 +22,7 @@ void write_pgm(std::ostream& out, const MapRaster& map) {
     std::string row(map.width, '\0');
     for (std::size_t y = map.height; y-- > 0;) {
         for (std::size_t x = 0; x < map.width; ++x) {
-            row[x] = grey(map.cells[y * map.width + x]);
+            row[x] = pgm_grey(map.cells[y * map.width + x]);
         }
         out << row;
     }
