@@ -1,5 +1,5 @@
 // What the step swarm's canvas is chosen by: the filter itself in a room and in a corridor, with short and long steps.
-// Prints the figures of docs/imaging.md.
+// Prints the figures of docs/reports/2026-11-22-particle-images.md.
 
 #include <gtest/gtest.h>
 
