@@ -2,8 +2,8 @@
 // odometry predicted.
 #include <iostream>
 
-#include "native/network_detector.hpp"
-#include "native/shipped_model.hpp"
+#include "ddtool/network/network_detector.hpp"
+#include "ddtool/network/shipped_model.hpp"
 
 static ddtool::ParticleSnapshot swarm(double share_left) {
     ddtool::ParticleSnapshot snapshot;

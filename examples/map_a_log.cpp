@@ -1,8 +1,8 @@
 // map_a_log LOG: pose and degree of degeneracy as the filter goes over a log of any kind, then the map's extent.
 #include <iostream>
 
-#include "slam/driven_scans.hpp"
-#include "slam/method.hpp"
+#include "ddtool/methods/driven_scans.hpp"
+#include "ddtool/methods/method.hpp"
 
 int main(int, char** argv) {
     ddtool::ThreadPool threads;

@@ -4,7 +4,7 @@
 #include <iostream>
 #include <numbers>
 
-#include "slam/method.hpp"
+#include "ddtool/methods/method.hpp"
 
 /// Distance from (x, 0) to the walls, along an angle.
 static float range_m(double x, double angle_rad) {

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <iostream>
 
-#include "ablation/report.hpp"
-#include "base/atomic_file.hpp"
-#include "base/log.hpp"
+#include "study/ablation/report.hpp"
+#include "system/atomic_file.hpp"
+#include "system/log.hpp"
 
 namespace ddtool {
 namespace {

@@ -3,8 +3,8 @@
 #include <filesystem>
 #include <string>
 
-#include "ablation/model_store.hpp"
 #include "program.hpp"
+#include "study/ablation/model_store.hpp"
 
 namespace ddtool {
 

@@ -4,13 +4,13 @@
 #include <chrono>
 #include <iostream>
 
-#include "base/log.hpp"
-#include "base/progress.hpp"
 #include "dataset/assemble.hpp"
 #include "dataset/build_settings.hpp"
 #include "dataset/counts.hpp"
 #include "dataset/image_files.hpp"
 #include "dataset_report.hpp"
+#include "system/log.hpp"
+#include "system/progress.hpp"
 #include "version.hpp"
 
 namespace ddtool {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "base/error.hpp"
-#include "base/settings.hpp"
+#include "ddtool/base/error.hpp"
+#include "ddtool/system/settings.hpp"
 
 namespace ddtool {
 

@@ -4,12 +4,12 @@
 #include <chrono>
 #include <iostream>
 
-#include "base/log.hpp"
-#include "base/progress.hpp"
-#include "compare/report.hpp"
-#include "compare/result_tables.hpp"
-#include "compare/world_pictures.hpp"
 #include "detectors.hpp"
+#include "study/compare/report.hpp"
+#include "study/compare/result_tables.hpp"
+#include "study/compare/world_pictures.hpp"
+#include "system/log.hpp"
+#include "system/progress.hpp"
 #include "version.hpp"
 
 namespace ddtool {

@@ -3,10 +3,10 @@
 #include <filesystem>
 #include <iostream>
 
-#include "base/progress.hpp"
 #include "log_options.hpp"
-#include "logs/frame_writer.hpp"
+#include "logs/stream/frame_writer.hpp"
 #include "slam_report.hpp"
+#include "system/progress.hpp"
 
 namespace ddtool {
 namespace {

@@ -3,12 +3,12 @@
 #include <array>
 #include <iostream>
 
-#include "base/log.hpp"
 #include "dataset/counts.hpp"
 #include "dataset/description.hpp"
 #include "dataset/histograms.hpp"
 #include "dataset/montages.hpp"
-#include "html/page.hpp"
+#include "report/page.hpp"
+#include "system/log.hpp"
 
 namespace ddtool {
 namespace {

@@ -3,7 +3,7 @@
 #include <filesystem>
 
 #include "dataset/dataset.hpp"
-#include "imaging/image_settings.hpp"
+#include "ddtool/network/image_settings.hpp"
 
 namespace ddtool {
 

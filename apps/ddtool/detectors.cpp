@@ -2,10 +2,10 @@
 
 #include <filesystem>
 
-#include "learning/engine.hpp"
-#include "native/load_model.hpp"
-#include "native/network_detector.hpp"
-#include "native/shipped_model.hpp"
+#include "ddtool/network/load_model.hpp"
+#include "ddtool/network/network_detector.hpp"
+#include "ddtool/network/shipped_model.hpp"
+#include "train/engine.hpp"
 
 namespace ddtool {
 

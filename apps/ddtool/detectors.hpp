@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "imaging/image_settings.hpp"
-#include "slam/detector_table.hpp"
+#include "ddtool/methods/detector_table.hpp"
+#include "ddtool/network/image_settings.hpp"
 
 namespace ddtool {
 

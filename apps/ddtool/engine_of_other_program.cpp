@@ -5,9 +5,9 @@
 #include <system_error>
 #include <vector>
 
-#include "base/atomic_file.hpp"
-#include "base/error.hpp"
+#include "ddtool/base/error.hpp"
 #include "engine_provider.hpp"
+#include "system/atomic_file.hpp"
 
 namespace ddtool {
 namespace {

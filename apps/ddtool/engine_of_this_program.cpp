@@ -1,6 +1,6 @@
-#include "engine/torch_engine.hpp"
 #include "engine_provider.hpp"
 #include "surroundings.hpp"
+#include "train/torch/torch_engine.hpp"
 
 namespace ddtool {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "learning/engine.hpp"
+#include "train/engine.hpp"
 
 namespace ddtool {
 

@@ -7,17 +7,17 @@
 #include <utility>
 
 #include "ablation_report.hpp"
-#include "base/atomic_file.hpp"
-#include "base/expect.hpp"
-#include "base/folder.hpp"
-#include "base/log.hpp"
-#include "detection/evaluation_page.hpp"
-#include "detection/label_noise.hpp"
-#include "detection/model_scorer.hpp"
-#include "detection/pictures.hpp"
-#include "detection/simple_rules.hpp"
-#include "detection/tables.hpp"
-#include "learning/engine.hpp"
+#include "study/judge/evaluation_page.hpp"
+#include "study/judge/label_noise.hpp"
+#include "study/judge/model_scorer.hpp"
+#include "study/judge/pictures.hpp"
+#include "study/judge/simple_rules.hpp"
+#include "study/judge/tables.hpp"
+#include "system/atomic_file.hpp"
+#include "system/expect.hpp"
+#include "system/folder.hpp"
+#include "system/log.hpp"
+#include "train/engine.hpp"
 
 namespace ddtool {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <iostream>
 
-#include "base/log.hpp"
-#include "learning/engine.hpp"
+#include "system/log.hpp"
+#include "train/engine.hpp"
 
 namespace ddtool {
 

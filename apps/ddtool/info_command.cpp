@@ -2,9 +2,9 @@
 
 #include <iostream>
 
-#include "base/progress.hpp"
 #include "info_report.hpp"
 #include "log_options.hpp"
+#include "system/progress.hpp"
 
 namespace ddtool {
 namespace {

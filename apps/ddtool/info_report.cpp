@@ -5,8 +5,8 @@
 #include <ctime>
 #include <numbers>
 
-#include "eval/table.hpp"
-#include "geometry/pose2_json.hpp"
+#include "report/table.hpp"
+#include "sim/pose2_json.hpp"
 
 namespace ddtool {
 namespace {

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "base/settings.hpp"
-#include "logs/log_inventory.hpp"
-#include "logs/log_use.hpp"
+#include "ddtool/system/settings.hpp"
+#include "logs/stream/log_inventory.hpp"
+#include "logs/stream/log_use.hpp"
 
 namespace ddtool {
 

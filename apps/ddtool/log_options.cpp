@@ -1,6 +1,6 @@
 #include "log_options.hpp"
 
-#include "base/log.hpp"
+#include "system/log.hpp"
 
 namespace ddtool {
 namespace {

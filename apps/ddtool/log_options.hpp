@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "base/error.hpp"
-#include "base/settings.hpp"
-#include "logs/log_stream.hpp"
+#include "ddtool/base/error.hpp"
+#include "ddtool/logs/log_stream.hpp"
+#include "ddtool/system/settings.hpp"
 
 namespace ddtool {
 

@@ -1,8 +1,6 @@
 #include <exception>
 #include <memory>
 
-#include "base/failure_text.hpp"
-#include "base/log.hpp"
 #include "build_dataset_command.hpp"
 #include "compare_command.hpp"
 #include "completion_command.hpp"
@@ -18,6 +16,8 @@
 #include "simulate_command.hpp"
 #include "slam_command.hpp"
 #include "surroundings.hpp"
+#include "system/failure_text.hpp"
+#include "system/log.hpp"
 #include "train_command.hpp"
 
 namespace ddtool {

@@ -3,9 +3,9 @@
 #include <filesystem>
 #include <iostream>
 
-#include "base/atomic_file.hpp"
-#include "base/folder.hpp"
 #include "man_page.hpp"
+#include "system/atomic_file.hpp"
+#include "system/folder.hpp"
 
 namespace ddtool {
 namespace {

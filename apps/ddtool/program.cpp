@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "base/log.hpp"
+#include "system/log.hpp"
 #include "version.hpp"
 
 namespace ddtool {

@@ -2,10 +2,10 @@
 
 #include <iostream>
 
-#include "base/log.hpp"
-#include "eval/trajectory_score.hpp"
-#include "geometry/tum_file.hpp"
-#include "plot/trajectory_plot.hpp"
+#include "scores/trajectory_plot.hpp"
+#include "scores/trajectory_score.hpp"
+#include "scores/tum_file.hpp"
+#include "system/log.hpp"
 
 namespace ddtool {
 namespace {

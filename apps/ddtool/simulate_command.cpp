@@ -2,13 +2,13 @@
 
 #include <iostream>
 
-#include "base/progress.hpp"
-#include "eval/table.hpp"
-#include "geometry/tum_file.hpp"
+#include "report/table.hpp"
+#include "scores/tum_file.hpp"
 #include "sim/simulation_json.hpp"
 #include "sim/simulation_log.hpp"
 #include "sim/world_catalogue.hpp"
 #include "sim/world_picture.hpp"
+#include "system/progress.hpp"
 
 namespace ddtool {
 namespace {

@@ -4,19 +4,19 @@
 #include <chrono>
 #include <iostream>
 
-#include "base/log.hpp"
-#include "base/process_usage.hpp"
-#include "base/progress.hpp"
+#include "ddtool/methods/driven_scans.hpp"
 #include "detectors.hpp"
-#include "logs/live_log.hpp"
-#include "results/run_folder.hpp"
-#include "results/run_page.hpp"
-#include "results/run_report.hpp"
-#include "serve/live_run.hpp"
-#include "serve/live_server.hpp"
-#include "slam/driven_scans.hpp"
-#include "slam/settings_json.hpp"
+#include "logs/stream/live_log.hpp"
+#include "methods/settings_json.hpp"
+#include "run/live_run.hpp"
+#include "run/live_server.hpp"
+#include "run/run_folder.hpp"
+#include "run/run_page.hpp"
+#include "run/run_report.hpp"
 #include "slam_report.hpp"
+#include "system/log.hpp"
+#include "system/process_usage.hpp"
+#include "system/progress.hpp"
 
 namespace ddtool {
 namespace {

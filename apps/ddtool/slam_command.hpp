@@ -5,9 +5,9 @@
 #include <memory>
 #include <string>
 
-#include "base/interrupt.hpp"
 #include "command.hpp"
 #include "log_options.hpp"
+#include "system/interrupt.hpp"
 
 namespace ddtool {
 

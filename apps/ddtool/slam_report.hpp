@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "base/settings.hpp"
-#include "logs/log_stream.hpp"
+#include "ddtool/logs/log_stream.hpp"
+#include "ddtool/system/settings.hpp"
 
 namespace ddtool {
 

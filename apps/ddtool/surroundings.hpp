@@ -1,6 +1,6 @@
 #pragma once
 
-#include "base/error.hpp"
+#include "ddtool/base/error.hpp"
 
 namespace ddtool {
 

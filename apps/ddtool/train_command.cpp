@@ -2,7 +2,7 @@
 
 #include <iostream>
 
-#include "base/log.hpp"
+#include "system/log.hpp"
 #include "train_report.hpp"
 
 namespace ddtool {

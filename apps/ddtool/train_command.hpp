@@ -3,7 +3,7 @@
 #include <string>
 
 #include "command.hpp"
-#include "learning/engine.hpp"
+#include "train/engine.hpp"
 
 namespace ddtool {
 

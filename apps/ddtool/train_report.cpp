@@ -2,10 +2,10 @@
 
 #include <array>
 
-#include "detection/evaluation_page.hpp"
-#include "detection/model_scorer.hpp"
-#include "detection/pictures.hpp"
-#include "html/page.hpp"
+#include "report/page.hpp"
+#include "study/judge/evaluation_page.hpp"
+#include "study/judge/model_scorer.hpp"
+#include "study/judge/pictures.hpp"
 #include "version.hpp"
 
 namespace ddtool {

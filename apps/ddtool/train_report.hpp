@@ -1,7 +1,7 @@
 #pragma once
 
-#include "eval/table.hpp"
-#include "learning/engine.hpp"
+#include "report/table.hpp"
+#include "train/engine.hpp"
 
 namespace ddtool {
 

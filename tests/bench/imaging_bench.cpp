@@ -1,7 +1,7 @@
 #include <benchmark/benchmark.h>
 
-#include "imaging/image_file.hpp"
-#include "imaging/particle_renderer.hpp"
+#include "ddtool/network/particle_renderer.hpp"
+#include "network/image_file.hpp"
 #include "swarms.hpp"
 #include "temporary_folder.hpp"
 

@@ -4,8 +4,8 @@
 #include <chrono>
 
 #include "dd_weights.hpp"
-#include "imaging/particle_renderer.hpp"
-#include "native/load_model.hpp"
+#include "ddtool/network/load_model.hpp"
+#include "ddtool/network/particle_renderer.hpp"
 #include "swarms.hpp"
 #include "temporary_folder.hpp"
 

@@ -1,10 +1,10 @@
 #include <benchmark/benchmark.h>
 
-#include "base/thread_pool.hpp"
-#include "grid/scan_insertion.hpp"
+#include "ddtool/base/thread_pool.hpp"
+#include "ddtool/filter/rbpf.hpp"
+#include "ddtool/filter/scan_insertion.hpp"
 #include "sim/simulated_stream.hpp"
 #include "sim/world_catalogue.hpp"
-#include "slam/rbpf.hpp"
 
 namespace ddtool {
 namespace {

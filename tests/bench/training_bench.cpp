@@ -1,10 +1,10 @@
 #include <benchmark/benchmark.h>
 #include <torch/torch.h>
 
-#include "models/mixed_precision.hpp"
-#include "models/network.hpp"
-#include "training/losses.hpp"
-#include "training/optimizers.hpp"
+#include "train/torch/losses.hpp"
+#include "train/torch/mixed_precision.hpp"
+#include "train/torch/network.hpp"
+#include "train/torch/optimizers.hpp"
 
 namespace ddtool {
 namespace {

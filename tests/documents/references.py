@@ -60,7 +60,7 @@ def expect(there, document, what):
 
 
 def named_file(path):
-    """`lib/slam/rbpf` stands for its header, `lib/native/*` for what it matches."""
+    """`lib/filter/include/ddtool/filter/rbpf` stands for its header, `lib/network/src/network/*` for what it matches."""
     return any(root.glob(path)) or any(root.glob(path + ".*"))
 
 

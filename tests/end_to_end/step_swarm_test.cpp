@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "base/thread_pool.hpp"
-#include "particles/spread.hpp"
+#include "ddtool/base/thread_pool.hpp"
+#include "ddtool/filter/rbpf.hpp"
 #include "sim/simulated_stream.hpp"
 #include "sim/world_catalogue.hpp"
-#include "slam/rbpf.hpp"
+#include "swarm/spread.hpp"
 
 namespace ddtool {
 namespace {

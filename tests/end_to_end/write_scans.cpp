@@ -1,6 +1,6 @@
 // write_scans FILE: a log of scans alone, without odometry or transforms.
-#include "logs/ros2_writer.hpp"
-#include "logs/ros_conversions.hpp"
+#include "logs/messages/ros_conversions.hpp"
+#include "logs/stream/ros2_writer.hpp"
 
 int main(int /*argc*/, char** argv) {
     ddtool::LaserScan scan{.angle_min_rad = -1.5, .angle_increment_rad = 0.1, .range_max_m = 8.0, .ranges_m = {}};

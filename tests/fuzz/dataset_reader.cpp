@@ -2,13 +2,13 @@
 #include <array>
 #include <filesystem>
 
-#include "base/atomic_file.hpp"
 #include "dataset/counts.hpp"
 #include "dataset/description.hpp"
-#include "imaging/particle_renderer.hpp"
+#include "ddtool/network/particle_renderer.hpp"
 #include "input_file.hpp"
 #include "known_dataset.hpp"
 #include "readers.hpp"
+#include "system/atomic_file.hpp"
 
 namespace ddtool::fuzz {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <filesystem>
 
-#include "base/atomic_file.hpp"
 #include "readers.hpp"
+#include "system/atomic_file.hpp"
 
 namespace ddtool::fuzz {
 namespace {

@@ -1,7 +1,7 @@
 #include <cstdint>
 
-#include "base/log.hpp"
 #include "readers.hpp"
+#include "system/log.hpp"
 
 /// libFuzzer's entry; the target says which reader it is of.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -1,6 +1,6 @@
 #include <array>
 
-#include "logs/message_decoder.hpp"
+#include "logs/messages/message_decoder.hpp"
 #include "message_kinds.hpp"
 #include "readers.hpp"
 

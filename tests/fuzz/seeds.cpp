@@ -3,7 +3,6 @@
 #include <cstring>
 
 #include "bag_file.hpp"
-#include "base/atomic_file.hpp"
 #include "compressed_text.hpp"
 #include "db3_file.hpp"
 #include "dd_weights.hpp"
@@ -11,10 +10,11 @@
 #include "known_dataset.hpp"
 #include "message_kinds.hpp"
 #include "recording.hpp"
-#include "results/snapshot_file.hpp"
 #include "rosbag2_folder_files.hpp"
+#include "run/snapshot_file.hpp"
 #include "swarm_dataset.hpp"
-#include "training/training_state.hpp"
+#include "system/atomic_file.hpp"
+#include "train/torch/training_state.hpp"
 
 namespace ddtool::fuzz {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "logs/compression.hpp"
+#include "logs/containers/compression.hpp"
 #include "recording.hpp"
 
 namespace ddtool::test {

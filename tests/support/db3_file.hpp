@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "logs/compression.hpp"
+#include "logs/containers/compression.hpp"
 #include "recording.hpp"
 
 namespace ddtool::test {

@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "base/random.hpp"
-#include "native/dd_tables.hpp"
-#include "native/model_description.hpp"
-#include "native/safetensors.hpp"
+#include "ddtool/base/random.hpp"
+#include "ddtool/network/model_description.hpp"
+#include "network/dd_tables.hpp"
+#include "network/safetensors.hpp"
 
 namespace ddtool::test {
 

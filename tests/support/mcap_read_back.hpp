@@ -6,9 +6,9 @@
 #include <utility>
 #include <vector>
 
-#include "base/error.hpp"
-#include "logs/byte_source.hpp"
-#include "logs/mcap_reader.hpp"
+#include "ddtool/base/error.hpp"
+#include "logs/containers/byte_source.hpp"
+#include "logs/containers/mcap_reader.hpp"
 
 namespace ddtool::test {
 

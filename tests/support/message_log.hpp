@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
-#include "logs/message_source.hpp"
-#include "logs/ros_codec.hpp"
-#include "logs/ros_conversions.hpp"
+#include "logs/containers/message_source.hpp"
+#include "logs/messages/ros_codec.hpp"
+#include "logs/messages/ros_conversions.hpp"
 
 namespace ddtool::test {
 

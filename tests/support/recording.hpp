@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "logs/mcap_writer.hpp"
-#include "logs/ros_codec.hpp"
-#include "logs/ros_conversions.hpp"
+#include "logs/containers/mcap_writer.hpp"
+#include "logs/messages/ros_codec.hpp"
+#include "logs/messages/ros_conversions.hpp"
 #include "ros1_writer.hpp"
 
 namespace ddtool::test {

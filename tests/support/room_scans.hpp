@@ -2,7 +2,7 @@
 
 #include <numbers>
 
-#include "sensor/scan_points.hpp"
+#include "ddtool/robot/scan_points.hpp"
 #include "sim/lidar.hpp"
 
 namespace ddtool {

@@ -5,7 +5,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "logs/ros_messages.hpp"
+#include "logs/messages/ros_messages.hpp"
 
 namespace ddtool::test {
 

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "base/atomic_file.hpp"
 #include "db3_file.hpp"
 #include "recording.hpp"
+#include "system/atomic_file.hpp"
 
 namespace ddtool::test {
 

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "ddtool/filter/filter_run.hpp"
 #include "sim/simulated_stream.hpp"
-#include "slam/filter_run.hpp"
 
 namespace ddtool::test {
 

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "base/random.hpp"
-#include "particles/particle_snapshot.hpp"
+#include "ddtool/base/random.hpp"
+#include "ddtool/swarm/particle_snapshot.hpp"
 
 namespace ddtool::test {
 

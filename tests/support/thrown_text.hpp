@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "base/error.hpp"
+#include "ddtool/base/error.hpp"
 
 namespace ddtool::test {
 

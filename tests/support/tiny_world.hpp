@@ -4,7 +4,7 @@
 #include <fstream>
 #include <string>
 
-#include "base/settings.hpp"
+#include "ddtool/system/settings.hpp"
 
 namespace ddtool::test {
 

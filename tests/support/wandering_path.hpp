@@ -2,8 +2,8 @@
 
 #include <cstdint>
 
-#include "base/random.hpp"
-#include "geometry/trajectory.hpp"
+#include "ddtool/base/random.hpp"
+#include "ddtool/robot/trajectory.hpp"
 
 namespace ddtool {
 

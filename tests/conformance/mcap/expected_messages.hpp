@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "base/atomic_file.hpp"
-#include "base/settings.hpp"
+#include "ddtool/system/settings.hpp"
 #include "mcap_read_back.hpp"
+#include "system/atomic_file.hpp"
 
 namespace ddtool::test {
 

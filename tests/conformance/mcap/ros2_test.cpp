@@ -4,11 +4,11 @@
 #include <map>
 #include <string>
 
-#include "base/atomic_file.hpp"
-#include "base/settings.hpp"
-#include "logs/mcap_reader.hpp"
-#include "logs/ros_codec.hpp"
+#include "ddtool/system/settings.hpp"
+#include "logs/containers/mcap_reader.hpp"
+#include "logs/messages/ros_codec.hpp"
 #include "mcap_read_back.hpp"
+#include "system/atomic_file.hpp"
 
 namespace ddtool::test {
 namespace {

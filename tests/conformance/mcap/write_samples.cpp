@@ -7,13 +7,13 @@
 #include <string>
 #include <vector>
 
-#include "base/atomic_file.hpp"
-#include "base/error.hpp"
-#include "base/settings.hpp"
-#include "logs/mcap_writer.hpp"
-#include "logs/ros2_schema.hpp"
-#include "logs/ros_codec.hpp"
-#include "logs/ros_messages.hpp"
+#include "ddtool/base/error.hpp"
+#include "ddtool/system/settings.hpp"
+#include "logs/containers/mcap_writer.hpp"
+#include "logs/messages/ros2_schema.hpp"
+#include "logs/messages/ros_codec.hpp"
+#include "logs/messages/ros_messages.hpp"
+#include "system/atomic_file.hpp"
 
 namespace ddtool {
 namespace {

@@ -1,7 +1,7 @@
 #include <exception>
 #include <iostream>
 
-#include "learning/history.hpp"
+#include "train/history.hpp"
 
 /// Writes the history of a training of three epochs into the folder, then that of five, as training does.
 int main(int argc, char** argv) {

@@ -4,7 +4,7 @@
 
 #include <memory>
 
-#include "base/log.hpp"
+#include "system/log.hpp"
 #include "thrown_text.hpp"
 #include "version.hpp"
 

@@ -1,7 +1,7 @@
 #include <gmock/gmock.h>
 
 #include "dataset/snapshot_run.hpp"
-#include "results/snapshot_file.hpp"
+#include "run/snapshot_file.hpp"
 #include "small_dataset.hpp"
 #include "thrown_text.hpp"
 #include "tiny_build.hpp"

@@ -5,8 +5,8 @@
 
 #include "dataset/counts.hpp"
 #include "dataset/image_files.hpp"
-#include "imaging/image_file.hpp"
-#include "imaging/particle_renderer.hpp"
+#include "ddtool/network/particle_renderer.hpp"
+#include "network/image_file.hpp"
 #include "small_dataset.hpp"
 #include "temporary_folder.hpp"
 

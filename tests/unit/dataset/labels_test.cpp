@@ -9,8 +9,8 @@
 #include <limits>
 #include <numbers>
 
-#include "base/error.hpp"
-#include "geometry/pose2.hpp"
+#include "ddtool/base/error.hpp"
+#include "ddtool/robot/pose2.hpp"
 
 namespace ddtool::dataset {
 namespace {

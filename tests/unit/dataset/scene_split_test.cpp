@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "base/random.hpp"
+#include "ddtool/base/random.hpp"
 
 namespace ddtool::dataset {
 namespace {

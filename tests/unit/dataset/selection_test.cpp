@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "base/random.hpp"
+#include "ddtool/base/random.hpp"
 
 namespace ddtool::dataset {
 namespace {

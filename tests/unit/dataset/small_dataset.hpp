@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "base/random.hpp"
 #include "dataset/manifest.hpp"
+#include "ddtool/base/random.hpp"
 
 namespace ddtool::dataset::test {
 

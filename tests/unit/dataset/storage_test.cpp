@@ -2,9 +2,9 @@
 
 #include <cstddef>
 
-#include "base/atomic_file.hpp"
 #include "dataset/dataset.hpp"
 #include "small_dataset.hpp"
+#include "system/atomic_file.hpp"
 #include "temporary_folder.hpp"
 #include "thrown_text.hpp"
 

@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "base/atomic_file.hpp"
 #include "dataset/assemble.hpp"
 #include "dataset/build_settings.hpp"
 #include "dataset/dataset.hpp"
+#include "system/atomic_file.hpp"
 #include "temporary_folder.hpp"
 #include "tiny_world.hpp"
 

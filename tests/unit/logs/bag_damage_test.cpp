@@ -3,7 +3,7 @@
 #include <fstream>
 
 #include "bag_file.hpp"
-#include "base/random.hpp"
+#include "ddtool/base/random.hpp"
 #include "read_log.hpp"
 #include "temporary_folder.hpp"
 

@@ -1,4 +1,4 @@
-#include "logs/carmen_message.hpp"
+#include "logs/messages/carmen_message.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,12 +1,12 @@
-#include "logs/carmen_stream.hpp"
+#include "logs/stream/carmen_stream.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "base/atomic_file.hpp"
-#include "base/error.hpp"
 #include "compressed_text.hpp"
+#include "ddtool/base/error.hpp"
+#include "system/atomic_file.hpp"
 #include "temporary_folder.hpp"
 
 namespace ddtool {

@@ -3,11 +3,11 @@
 #include <functional>
 
 #include "bag_file.hpp"
-#include "base/atomic_file.hpp"
 #include "db3_file.hpp"
-#include "logs/log_inventory.hpp"
+#include "logs/stream/log_inventory.hpp"
 #include "read_log.hpp"
 #include "rosbag2_folder_files.hpp"
+#include "system/atomic_file.hpp"
 #include "temporary_folder.hpp"
 
 namespace ddtool {

@@ -2,10 +2,10 @@
 
 #include <cmath>
 
-#include "base/random.hpp"
+#include "ddtool/base/random.hpp"
 #include "foxglove.pb.h"
-#include "logs/foxglove_json.hpp"
-#include "logs/foxglove_protobuf.hpp"
+#include "logs/messages/foxglove_json.hpp"
+#include "logs/messages/foxglove_protobuf.hpp"
 
 namespace ddtool::foxglove {
 namespace {

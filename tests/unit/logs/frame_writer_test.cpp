@@ -1,13 +1,13 @@
-#include "logs/frame_writer.hpp"
+#include "logs/stream/frame_writer.hpp"
 
 #include <gmock/gmock.h>
 
 #include <array>
 
-#include "base/error.hpp"
-#include "logs/log_stream.hpp"
-#include "logs/mcap_reader.hpp"
-#include "logs/ros_conversions.hpp"
+#include "ddtool/base/error.hpp"
+#include "ddtool/logs/log_stream.hpp"
+#include "logs/containers/mcap_reader.hpp"
+#include "logs/messages/ros_conversions.hpp"
 #include "temporary_folder.hpp"
 
 namespace ddtool {

@@ -1,13 +1,13 @@
-#include "logs/live_log.hpp"
+#include "logs/stream/live_log.hpp"
 
 #include <gmock/gmock.h>
 
 #include <fstream>
 #include <thread>
 
-#include "base/atomic_file.hpp"
 #include "read_log.hpp"
 #include "recording.hpp"
+#include "system/atomic_file.hpp"
 #include "temporary_folder.hpp"
 
 namespace ddtool {

@@ -1,13 +1,13 @@
-#include "logs/log_inventory.hpp"
+#include "logs/stream/log_inventory.hpp"
 
 #include <gmock/gmock.h>
 
 #include <cmath>
 
 #include "bag_file.hpp"
-#include "base/atomic_file.hpp"
-#include "logs/log_use.hpp"
+#include "logs/stream/log_use.hpp"
 #include "rosbag2_folder_files.hpp"
+#include "system/atomic_file.hpp"
 #include "temporary_folder.hpp"
 
 namespace ddtool {

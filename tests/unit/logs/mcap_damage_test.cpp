@@ -4,7 +4,7 @@
 #include <array>
 #include <limits>
 
-#include "logs/mcap_fields.hpp"
+#include "logs/containers/mcap_fields.hpp"
 #include "mcap_support.hpp"
 
 namespace ddtool::test {

@@ -2,9 +2,9 @@
 
 #include <array>
 
-#include "base/crc.hpp"
-#include "logs/mcap_fields.hpp"
+#include "logs/containers/mcap_fields.hpp"
 #include "mcap_support.hpp"
+#include "system/crc.hpp"
 
 namespace ddtool::test {
 namespace {

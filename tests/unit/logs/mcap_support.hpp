@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "base/atomic_file.hpp"
-#include "base/random.hpp"
-#include "logs/mcap_writer.hpp"
+#include "ddtool/base/random.hpp"
+#include "logs/containers/mcap_writer.hpp"
 #include "mcap_read_back.hpp"
+#include "system/atomic_file.hpp"
 #include "temporary_folder.hpp"
 
 namespace ddtool::test {

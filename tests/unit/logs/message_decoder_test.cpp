@@ -1,11 +1,11 @@
-#include "logs/message_decoder.hpp"
+#include "logs/messages/message_decoder.hpp"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 
-#include "logs/ros_codec.hpp"
-#include "logs/ros_conversions.hpp"
+#include "logs/messages/ros_codec.hpp"
+#include "logs/messages/ros_conversions.hpp"
 
 namespace ddtool {
 namespace {

@@ -1,4 +1,4 @@
-#include "logs/message_log_stream.hpp"
+#include "logs/stream/message_log_stream.hpp"
 
 #include <gmock/gmock.h>
 
@@ -6,7 +6,7 @@
 #include <limits>
 #include <numbers>
 
-#include "base/error.hpp"
+#include "ddtool/base/error.hpp"
 #include "message_log.hpp"
 
 namespace ddtool {

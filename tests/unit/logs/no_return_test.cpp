@@ -1,8 +1,8 @@
-#include "logs/no_return.hpp"
+#include "logs/stream/no_return.hpp"
 
 #include <gtest/gtest.h>
 
-#include "base/random.hpp"
+#include "ddtool/base/random.hpp"
 
 namespace ddtool {
 namespace {

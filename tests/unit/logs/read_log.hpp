@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "base/error.hpp"
-#include "logs/log_stream.hpp"
+#include "ddtool/base/error.hpp"
+#include "ddtool/logs/log_stream.hpp"
 
 namespace ddtool::test {
 

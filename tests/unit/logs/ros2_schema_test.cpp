@@ -1,10 +1,10 @@
-#include "logs/ros2_schema.hpp"
+#include "logs/messages/ros2_schema.hpp"
 
 #include <gmock/gmock.h>
 
 #include <sstream>
 
-#include "logs/ros_messages.hpp"
+#include "logs/messages/ros_messages.hpp"
 
 namespace ddtool::ros {
 namespace {

@@ -1,10 +1,10 @@
-#include "logs/ros_codec.hpp"
+#include "logs/messages/ros_codec.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cstring>
 
-#include "base/random.hpp"
+#include "ddtool/base/random.hpp"
 #include "ros1_writer.hpp"
 
 namespace ddtool::ros {

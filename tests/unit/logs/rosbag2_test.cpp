@@ -1,9 +1,9 @@
 #include <gmock/gmock.h>
 
-#include "base/atomic_file.hpp"
-#include "base/random.hpp"
+#include "ddtool/base/random.hpp"
 #include "read_log.hpp"
 #include "rosbag2_folder_files.hpp"
+#include "system/atomic_file.hpp"
 #include "temporary_folder.hpp"
 
 namespace ddtool {

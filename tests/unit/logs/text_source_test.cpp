@@ -1,13 +1,13 @@
-#include "logs/text_source.hpp"
+#include "logs/containers/text_source.hpp"
 
 #include <bzlib.h>
 #include <gtest/gtest.h>
 #include <zlib.h>
 
-#include "base/atomic_file.hpp"
-#include "base/error.hpp"
 #include "compressed_text.hpp"
-#include "logs/line_reader.hpp"
+#include "ddtool/base/error.hpp"
+#include "logs/containers/line_reader.hpp"
+#include "system/atomic_file.hpp"
 #include "temporary_folder.hpp"
 
 namespace ddtool {

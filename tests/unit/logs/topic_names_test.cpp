@@ -1,4 +1,4 @@
-#include "logs/topic_names.hpp"
+#include "logs/stream/topic_names.hpp"
 
 #include <gtest/gtest.h>
 

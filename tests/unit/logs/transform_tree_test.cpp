@@ -1,4 +1,4 @@
-#include "logs/transform_tree.hpp"
+#include "logs/stream/transform_tree.hpp"
 
 #include <gmock/gmock.h>
 

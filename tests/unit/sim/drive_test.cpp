@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/error.hpp"
+#include "ddtool/base/error.hpp"
 
 namespace ddtool::sim {
 namespace {

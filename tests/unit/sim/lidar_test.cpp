@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "base/error.hpp"
+#include "ddtool/base/error.hpp"
 
 namespace ddtool::sim {
 namespace {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/random.hpp"
+#include "ddtool/base/random.hpp"
 
 namespace ddtool::sim {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-#include "base/error.hpp"
+#include "ddtool/base/error.hpp"
 
 namespace ddtool::sim {
 namespace {

@@ -4,11 +4,11 @@
 
 #include <cmath>
 
-#include "base/atomic_file.hpp"
-#include "logs/log_stream.hpp"
-#include "logs/mcap_reader.hpp"
-#include "logs/ros_codec.hpp"
+#include "ddtool/logs/log_stream.hpp"
+#include "logs/containers/mcap_reader.hpp"
+#include "logs/messages/ros_codec.hpp"
 #include "sim/simulated_stream.hpp"
+#include "system/atomic_file.hpp"
 #include "temporary_folder.hpp"
 
 namespace ddtool::sim {

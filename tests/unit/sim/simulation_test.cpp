@@ -5,7 +5,7 @@
 #include <bit>
 #include <cmath>
 
-#include "base/thread_pool.hpp"
+#include "ddtool/base/thread_pool.hpp"
 #include "sim/simulated_stream.hpp"
 #include "sim/world_catalogue.hpp"
 

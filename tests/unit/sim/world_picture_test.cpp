@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "base/atomic_file.hpp"
+#include "system/atomic_file.hpp"
 #include "temporary_folder.hpp"
 
 namespace ddtool::sim {

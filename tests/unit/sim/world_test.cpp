@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "base/error.hpp"
+#include "ddtool/base/error.hpp"
 #include "sim/drive.hpp"
 #include "sim/ray_caster.hpp"
 #include "sim/texture.hpp"

@@ -1,0 +1,41 @@
+#include "ddtool/base/random.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace ddtool {
+namespace {
+
+std::uint64_t mix(std::uint64_t z) {
+    z = (z ^ (z >> 30U)) * 0xbf58476d1ce4e5b9ULL;
+    z = (z ^ (z >> 27U)) * 0x94d049bb133111ebULL;
+    return z ^ (z >> 31U);
+}
+
+constexpr std::uint64_t golden_gamma = 0x9e3779b97f4a7c15ULL;
+
+}  // namespace
+
+RandomStream::RandomStream(std::initializer_list<std::uint64_t> keys) {
+    for (const std::uint64_t key : keys) {
+        state_ = mix((state_ ^ mix(key + golden_gamma)) + golden_gamma);
+    }
+}
+
+RandomStream::result_type RandomStream::operator()() {
+    state_ += golden_gamma;
+    return mix(state_);
+}
+
+double RandomStream::uniform() { return static_cast<double>((*this)() >> 11U) * 0x1.0p-53; }
+
+std::uint64_t RandomStream::index(std::uint64_t count) {
+    return static_cast<std::uint64_t>(uniform() * static_cast<double>(count));
+}
+
+double RandomStream::normal() {
+    const double radius = std::sqrt(-2.0 * std::log(1.0 - uniform()));
+    return radius * std::cos(2.0 * std::numbers::pi * uniform());
+}
+
+}  // namespace ddtool

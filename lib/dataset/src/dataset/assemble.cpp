@@ -1,0 +1,151 @@
+#include "dataset/assemble.hpp"
+
+#include <cstdio>
+
+#include "dataset/build_settings.hpp"
+#include "dataset/counts.hpp"
+#include "dataset/image_files.hpp"
+#include "dataset/record_labels.hpp"
+#include "dataset/scene_split.hpp"
+#include "dataset/selection.hpp"
+#include "methods/settings_json.hpp"
+#include "system/fingerprint.hpp"
+
+namespace ddtool::dataset {
+namespace {
+
+/// The particles of candidates, of one part at a time: asked for run by run, each part is opened once.
+class PartParticles {
+public:
+    explicit PartParticles(const std::vector<RunResult>& results) : results_(results) {}
+
+    [[nodiscard]] const MappedShard& shard(std::uint32_t run, Check check = Check::sizes) {
+        if (!shard_ || run != run_) {
+            const StoredPart& part = *results_[run].part;
+            shard_.emplace(part.folder, part.shard, check);
+            run_ = run;
+        }
+        return *shard_;
+    }
+
+private:
+    const std::vector<RunResult>& results_;
+    std::optional<MappedShard> shard_;
+    std::uint32_t run_ = 0;
+};
+
+RbpfSettings filter_of(const PlannedRun& run) {
+    return run.configuration.contains("filter") ? filter_settings_from_json(run.configuration.at("filter")).rbpf
+                                                : RbpfSettings{};
+}
+
+/// All samples of all parts, labelled, run by run. first_particle is that of the part.
+std::vector<SampleRecord> labelled_candidates(const RunPlan& plan, const std::vector<RunResult>& results,
+                                              const LabelSettings& rules) {
+    std::vector<SampleRecord> records;
+    PartParticles particles(results);
+    for (std::uint32_t run = 0; run < results.size(); ++run) {
+        if (!results[run].part) {
+            continue;
+        }
+        const RbpfSettings filter = filter_of(plan.runs[run]);
+        const MappedShard& shard = particles.shard(run, Check::checksums);
+        for (SampleRecord record : shard.samples()) {
+            record.source = plan.runs[run].entry.source;
+            record.run = run;
+            set_labels(record, shard.particles(record), filter, rules);
+            if (!plan.runs[run].configuration.contains("world")) {
+                record.label[index_of(LabelRule::fisher)] = Label::unknown;  // good for ranks, not for the rule
+            }
+            records.push_back(record);
+        }
+    }
+    return records;
+}
+
+std::vector<RunEntry> run_entries(const RunPlan& plan, const std::vector<RunResult>& results) {
+    std::vector<RunEntry> entries;
+    for (std::size_t run = 0; run < results.size(); ++run) {
+        entries.push_back(plan.runs[run].entry);
+        entries.back().failure = results[run].failure;
+        if (const auto& part = results[run].part) {
+            entries.back().scans = part->scans;
+            entries.back().snapshots = part->snapshots;
+            entries.back().candidates = part->shard.samples.rows;
+            entries.back().log_problems = part->log_problems;
+        }
+    }
+    return entries;
+}
+
+SampleChance chance_of(const RunPlan& plan, std::uint64_t seed) {
+    std::vector<std::uint64_t> keys;
+    keys.reserve(plan.runs.size());
+    for (const PlannedRun& run : plan.runs) {
+        keys.push_back(Fingerprint().add(run.entry.id).value());
+    }
+    return {seed, keys};
+}
+
+/// Drops what neither rule chose.
+void keep_used(std::vector<SampleRecord>& records) {
+    std::erase_if(records, [](const SampleRecord& record) {
+        return record.part_of(LabelRule::dispersion, Split::paper) == Part::unused &&
+               record.part_of(LabelRule::fisher, Split::paper) == Part::unused;
+    });
+}
+
+std::string shard_stem(std::size_t number) {
+    char text[32];
+    std::snprintf(text, sizeof text, "shard-%04zu", number);
+    return text;
+}
+
+std::vector<ShardEntry> write_shards(const std::filesystem::path& folder, const std::vector<SampleRecord>& records,
+                                     const std::vector<RunResult>& results, std::uint64_t most_bytes) {
+    std::vector<ShardEntry> entries;
+    PartParticles particles(results);
+    for (auto begin = records.begin(); begin != records.end();) {
+        auto end = begin;
+        for (std::uint64_t bytes = 0; end != records.end() && bytes < most_bytes; ++end) {
+            bytes += end->particle_count * sizeof(SnapshotParticle);
+        }
+        entries.push_back(write_shard(folder, shard_stem(entries.size()), {begin, end}, [&](std::size_t index) {
+            const SampleRecord& record = begin[static_cast<std::ptrdiff_t>(index)];
+            return particles.shard(record.run).particles(record);
+        }));
+        begin = end;
+    }
+    return entries;
+}
+
+/// An older data set ends here: without its manifest it is none, and shards of it that are not replaced are litter.
+void remove_older(const std::filesystem::path& folder) {
+    std::filesystem::remove(folder / manifest_name);
+    std::filesystem::remove_all(folder / images_name);
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+        const std::string name = entry.path().filename().string();
+        if (name.starts_with("shard-") && name.ends_with(".npy")) {
+            std::filesystem::remove(entry.path());
+        }
+    }
+}
+
+}  // namespace
+
+Manifest assemble(const std::filesystem::path& folder, const Json& settings, const RunPlan& plan,
+                  const std::vector<RunResult>& results, const std::string& program) {
+    const AssemblySettings assembly = assembly_from_json(settings);
+    std::vector<SampleRecord> records = labelled_candidates(plan, results, assembly.labels);
+    Manifest manifest{program, settings, {}, plan.sources, run_entries(plan, results), {}};
+    choose_samples(records, assembly.balance, chance_of(plan, assembly.seed));
+    hold_out_scenes(records, manifest.runs);
+    manifest.counts = counts_of(records, assembly.balance);
+    keep_used(records);
+    remove_older(folder);
+    manifest.shards = write_shards(folder, records, results, assembly.shard_megabytes * 1'000'000U);
+    write_manifest(folder, manifest);
+    return manifest;
+}
+
+}  // namespace ddtool::dataset

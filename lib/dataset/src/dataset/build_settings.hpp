@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstdint>
+
+#include "dataset/labels.hpp"
+#include "ddtool/system/settings.hpp"
+
+namespace ddtool::dataset {
+
+/// Neighbouring snapshots are near-copies, so that a run gives only some of them.
+struct ThinningSettings {
+    std::uint64_t every = 3;          ///< one of so many snapshots in a row, chosen by chance
+    std::uint64_t most_per_run = 80;  ///< if there are more, so many of these, chosen by chance
+};
+
+/// How many samples of each class are wanted; the defaults are the paper's.
+struct BalanceSettings {
+    std::uint64_t degenerate = 3937;
+    std::uint64_t not_degenerate = 3827;
+};
+
+/// What a data set is put together by, once the runs are there.
+struct AssemblySettings {
+    std::uint64_t seed = 1;  ///< of the choice of samples
+    LabelSettings labels;
+    BalanceSettings balance;
+    std::uint64_t shard_megabytes = 64;  ///< a shard is closed when its particles reach it
+};
+
+/// Every setting of a build with its default: the keys a configuration may have. docs/dataset.md explains them.
+Json default_build_json();
+
+/// Throws UsageError naming the key for a value that makes no sense.
+AssemblySettings assembly_from_json(const Json& settings);
+ThinningSettings thinning_from_json(const Json& thinning);
+
+}  // namespace ddtool::dataset

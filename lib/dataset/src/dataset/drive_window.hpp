@@ -1,0 +1,30 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+
+#include "dataset/manifest.hpp"
+#include "ddtool/base/random.hpp"
+#include "sim/simulation.hpp"
+
+namespace ddtool::dataset {
+
+/// The part of a drive that a run filters: all of it, or, where that would cost too much, a piece.
+struct DriveWindow {
+    std::size_t first_frame = 0;
+    std::uint64_t most_updates = 0;      ///< the run ends with so many
+    std::uint64_t expected_updates = 0;  ///< about so many there will be
+
+    [[nodiscard]] double share_done(std::uint64_t updates) const {
+        const auto expected = static_cast<double>(std::max<std::uint64_t>(1, expected_updates));
+        return std::min(1.0, static_cast<double>(updates) / expected);
+    }
+};
+
+/// Particles times updates is what a run costs; a drive that would take more than `most_particle_updates` is cut to a
+/// piece that begins at a place drawn at random.
+DriveWindow window_of(const sim::Simulation& simulation, const RunEntry& run, std::uint64_t most_particle_updates,
+                      RandomStream random);
+
+}  // namespace ddtool::dataset

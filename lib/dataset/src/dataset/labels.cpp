@@ -1,0 +1,54 @@
+#include "dataset/labels.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "ddtool/base/error.hpp"
+#include "swarm/weights.hpp"
+
+namespace ddtool::dataset {
+namespace {
+
+template <typename Weight>
+double dispersion_of(std::span<const SnapshotParticle> particles, Weight weight) {
+    std::vector<double> weights(particles.size());
+    std::transform(particles.begin(), particles.end(), weights.begin(), weight);
+    return dispersion(weights);
+}
+
+Label label_if(bool degenerate) { return degenerate ? Label::degenerate : Label::not_degenerate; }
+
+}  // namespace
+
+std::array<double, 4> dispersions(std::span<const SnapshotParticle> particles) {
+    return {dispersion_of(particles, [](const SnapshotParticle& p) { return p.log_likelihood; }),
+            dispersion_of(particles, [](const SnapshotParticle& p) { return p.log_likelihood_increment; }),
+            dispersion_of(particles, [](const SnapshotParticle& p) { return p.match_score; }),
+            dispersion_of(particles, [](const SnapshotParticle& p) { return p.weight; })};
+}
+
+double labelled_dispersion(const std::array<double, 4>& dispersions, const LabelSettings& settings) {
+    const auto* const name =
+        std::find(dispersion_weight_names.begin(), dispersion_weight_names.end(), settings.dispersion_weight);
+    if (name == dispersion_weight_names.end()) {
+        throw UsageError(
+            "labels.dispersion_weight: expected log_likelihood, log_likelihood_increment, match_score or "
+            "weight, not '" +
+            settings.dispersion_weight + "'");
+    }
+    return dispersions[static_cast<std::size_t>(name - dispersion_weight_names.begin())];
+}
+
+Label dispersion_label(const std::array<double, 4>& dispersions, const LabelSettings& settings) {
+    return label_if(labelled_dispersion(dispersions, settings) > settings.dispersion_threshold);
+}
+
+Label fisher_label(double weak_sd_m, double odometry_sd_m, const LabelSettings& settings) {
+    if (std::isnan(weak_sd_m) || std::isnan(odometry_sd_m)) {
+        return Label::unknown;
+    }
+    return label_if(weak_sd_m > settings.fisher_ratio * odometry_sd_m);
+}
+
+}  // namespace ddtool::dataset

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <vector>
+
+#include "ddtool/filter/free_space.hpp"
+#include "ddtool/filter/occupancy_grid.hpp"
+#include "ddtool/robot/pose2.hpp"
+#include "ddtool/robot/scan_points.hpp"
+
+namespace ddtool {
+
+/// Enters scans into grids. Holds buffers only: one a thread, for any number of grids.
+class ScanInserter {
+public:
+    /// pose: world_from_robot.
+    void insert(OccupancyGrid& grid, const ScanPoints& points, const Pose2& pose);
+
+private:
+    void project(const ScanPoints& points, const Pose2& pose, double cell_size_m);
+    void add_hits(OccupancyGrid& grid) const;
+
+    /// A wall's cells are kept clear of the free space before it.
+    static constexpr double free_margin_cells = 0.8;
+
+    FreeSpace free_space_{free_margin_cells};
+    std::vector<Point2> ends_cells_;
+};
+
+}  // namespace ddtool

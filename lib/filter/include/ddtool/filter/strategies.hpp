@@ -1,0 +1,65 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "ddtool/base/random.hpp"
+#include "ddtool/filter/odometry_model.hpp"
+#include "ddtool/filter/scan_matcher.hpp"
+#include "ddtool/swarm/degeneracy_detector.hpp"
+
+namespace ddtool {
+
+/// One particle's match, with all that a second look at it may need.
+struct MatchContext {
+    ScanMatcher& matcher;
+    const OccupancyGrid& grid;
+    const MatchPoints& points;
+    Pose2 predicted;  ///< world_from_robot, sampled from the motion model
+    PosePrior prior;  ///< about `predicted`, that the match was made with
+    Pose2 odometry;   ///< world_from_robot, the likeliest by the odometry model
+    /// Of (x, y, theta) in the world: what odometry says of the pose since the scans last told as much.
+    Eigen::Matrix3d odometry_information;
+    double min_match_score = 0.0;  ///< a match with a lower score is none
+};
+
+/// May replace the pose that scan matching found, knowing how degenerate the swarm is.
+class PoseCorrection {
+public:
+    virtual ~PoseCorrection() = default;
+    virtual ScanMatch correct(const MatchContext& context, const ScanMatch& found,
+                              const Degeneracy& degeneracy) const = 0;
+};
+
+/// A particle after resampling: a copy of `parent`, standing at `pose`.
+struct Descendant {
+    std::size_t parent = 0;
+    Pose2 pose;
+};
+
+/// Chooses the next generation from poses and normalised weights.
+class Resampling {
+public:
+    virtual ~Resampling() = default;
+    virtual std::vector<Descendant> resample(std::span<const SnapshotParticle> particles, const Degeneracy& degeneracy,
+                                             RandomStream& random) const = 0;
+};
+
+/// Systematic resampling; poses stay as they are.
+class SystematicResampling : public Resampling {
+public:
+    std::vector<Descendant> resample(std::span<const SnapshotParticle> particles, const Degeneracy& degeneracy,
+                                     RandomStream& random) const override;
+};
+
+/// What makes a method of the filter. Empty members mean: never degenerate, keep the match, resample systematically,
+/// take the odometry as it is.
+struct FilterStrategies {
+    DegeneracyDetector detector;
+    std::vector<std::shared_ptr<const PoseCorrection>> corrections;  ///< each takes what the one before found
+    std::shared_ptr<const Resampling> resampling;
+    std::shared_ptr<OdometryModel> odometry;
+};
+
+}  // namespace ddtool

@@ -1,0 +1,68 @@
+#include "ddtool/filter/coarse_fine_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace ddtool {
+namespace {
+
+/// The search looks at every third block of beams; the outcome is judged by all of them.
+constexpr std::size_t search_stride = 3;
+
+class Climb {
+public:
+    Climb(const MatchContext& context, const Pose2& start)
+        : context_(context), best_(start), best_score_(score(start)) {}
+
+    void step(double step_m, double turn_rad) {
+        constexpr int directions = 8;
+        const Pose2 centre = best_;
+        for (int direction = 0; direction < directions; ++direction) {
+            const double angle = 2.0 * std::numbers::pi * direction / directions;
+            consider({centre.x_m + step_m * std::cos(angle), centre.y_m + step_m * std::sin(angle), centre.theta_rad});
+        }
+        for (const double turn : {-turn_rad, turn_rad}) {
+            consider({centre.x_m, centre.y_m, wrap_angle(centre.theta_rad + turn)});
+        }
+    }
+    [[nodiscard]] const Pose2& best() const { return best_; }
+
+private:
+    [[nodiscard]] double score(const Pose2& pose) const {
+        return context_.matcher.score(context_.grid, context_.points, pose, search_stride);
+    }
+    void consider(const Pose2& pose) {
+        const double pose_score = score(pose);
+        if (pose_score > best_score_) {
+            best_ = pose;
+            best_score_ = pose_score;
+        }
+    }
+
+    const MatchContext& context_;
+    Pose2 best_;
+    double best_score_;
+};
+
+}  // namespace
+
+std::size_t search_count(double degree) {
+    return 1 + static_cast<std::size_t>(std::floor(std::clamp(degree, 0.0, 1.0) / 0.25));
+}
+
+ScanMatch CoarseFineSearch::correct(const MatchContext& context, const ScanMatch& found,
+                                    const Degeneracy& degeneracy) const {
+    Climb climb(context, found.pose);
+    for (std::size_t pair = 0; pair < search_count(degeneracy.degree); ++pair) {
+        climb.step(settings_.step_m, settings_.turn_rad);
+        climb.step(settings_.step_m / 2.0, settings_.turn_rad / 2.0);
+    }
+    if (climb.best() == found.pose) {
+        return found;
+    }
+    const ScanMatch searched = context.matcher.evaluate(context.grid, context.points, climb.best());
+    return searched.score > found.score ? searched : found;
+}
+
+}  // namespace ddtool

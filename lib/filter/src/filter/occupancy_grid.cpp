@@ -1,0 +1,241 @@
+#include "ddtool/filter/occupancy_grid.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "base/text.hpp"
+#include "ddtool/base/error.hpp"
+
+namespace ddtool {
+namespace {
+
+constexpr int units = NearestPoint::units_per_cell;
+
+/// `offset` of a point from the centre of `from`, seen from the centre of `to`.
+NearestPoint moved(NearestPoint offset, Cell from, Cell to) {
+    return {static_cast<std::int8_t>(offset.x + units * (from.x - to.x)),
+            static_cast<std::int8_t>(offset.y + units * (from.y - to.y))};
+}
+
+int squared_length(NearestPoint point) { return point.x * point.x + point.y * point.y; }
+
+/// Whether the point seen from `cell` lies in `target`. Offsets within a cell are -16..15, so this is exact.
+bool lies_in(NearestPoint point, Cell cell, Cell target) {
+    return cell.x + ((point.x + units / 2) >> 5) == target.x && cell.y + ((point.y + units / 2) >> 5) == target.y;
+}
+
+NearestPoint running_mean(NearestPoint mean, NearestPoint added, float gain) {
+    const auto updated = [gain](std::int8_t before, std::int8_t value) {
+        return static_cast<std::int8_t>(
+            std::lrintf(static_cast<float>(before) + gain * static_cast<float>(value - before)));
+    };
+    return {updated(mean.x, added.x), updated(mean.y, added.y)};
+}
+
+bool all_equal(const std::int8_t* cells, int length, int value) {
+    int differences = 0;
+    for (int i = 0; i < length; ++i) {
+        differences |= cells[i] ^ value;
+    }
+    return differences == 0;
+}
+
+/// The first coordinate of the next patch.
+int next_patch(int cell) { return (cell | Patch::local_mask) + 1; }
+
+/// Lets the cells of a piece of one patch point at an occupied cell's mean where that is nearest.
+void spread_in(Patch& patch, const CellBox& piece, Cell occupied_cell, NearestPoint offset) {
+    for (int y = piece.y_min; y < piece.y_max; ++y) {
+        std::size_t local = Patch::local(piece.x_min, y);
+        for (int x = piece.x_min; x < piece.x_max; ++x, ++local) {
+            const NearestPoint present = patch.nearest[local];
+            const NearestPoint candidate = moved(offset, occupied_cell, {x, y});
+            // An occupied cell always points at its own mean: add_hit reads it there.
+            const bool nearer = patch.log_odds[local] <= 0 && squared_length(candidate) < squared_length(present);
+            if (nearer || present.none() || lies_in(present, {x, y}, occupied_cell)) {
+                patch.nearest[local] = candidate;
+            }
+        }
+    }
+}
+
+template <class Visit>
+void for_each_around(Cell centre, Visit&& visit) {
+    for (int y = centre.y - OccupancyGrid::field_radius; y <= centre.y + OccupancyGrid::field_radius; ++y) {
+        for (int x = centre.x - OccupancyGrid::field_radius; x <= centre.x + OccupancyGrid::field_radius; ++x) {
+            visit(Cell{x, y});
+        }
+    }
+}
+
+}  // namespace
+
+OccupancyGrid::OccupancyGrid(const OccupancySettings& settings) : settings_(settings) {}
+
+namespace {
+
+void expect_possible(std::int64_t columns, std::int64_t rows, double cell_size_m) {
+    if (columns * rows > OccupancyGrid::most_patches) {
+        const double patch_km = 1e-3 * cell_size_m * Patch::size_cells;
+        throw Error("a map of " + fixed_text(static_cast<double>(columns) * patch_km, 1) + " km by " +
+                    fixed_text(static_cast<double>(rows) * patch_km, 1) +
+                    " km: the poses jump; expected an odometry in metres that goes on from where it was");
+    }
+}
+
+}  // namespace
+
+void OccupancyGrid::reserve(const CellBox& box) {
+    const int first_column = (box.x_min - field_radius) >> Patch::size_bits;
+    const int first_row = (box.y_min - field_radius) >> Patch::size_bits;
+    const int end_column = ((box.x_max + field_radius) >> Patch::size_bits) + 1;
+    const int end_row = ((box.y_max + field_radius) >> Patch::size_bits) + 1;
+    if (columns_ > 0 && first_column >= first_column_ && first_row >= first_row_ &&
+        end_column <= first_column_ + columns_ && end_row <= first_row_ + rows_) {
+        return;
+    }
+    OccupancyGrid larger(settings_);
+    const bool fresh = columns_ == 0;
+    larger.first_column_ = fresh ? first_column : std::min(first_column, first_column_);
+    larger.first_row_ = fresh ? first_row : std::min(first_row, first_row_);
+    larger.columns_ = std::max(end_column, fresh ? end_column : first_column_ + columns_) - larger.first_column_;
+    larger.rows_ = std::max(end_row, fresh ? end_row : first_row_ + rows_) - larger.first_row_;
+    expect_possible(larger.columns_, larger.rows_, settings_.cell_size_m);
+    larger.patches_.resize(static_cast<std::size_t>(larger.columns_) * static_cast<std::size_t>(larger.rows_));
+    for (int row = 0; row < rows_; ++row) {
+        const auto source = patches_.begin() + static_cast<std::ptrdiff_t>(patch_index(0, row));
+        const std::size_t target =
+            larger.patch_index(first_column_ - larger.first_column_, first_row_ + row - larger.first_row_);
+        std::move(source, source + columns_, larger.patches_.begin() + static_cast<std::ptrdiff_t>(target));
+    }
+    *this = std::move(larger);
+}
+
+PatchPointer& OccupancyGrid::pointer_at(Cell cell) {
+    const int column = (cell.x >> Patch::size_bits) - first_column_;
+    const int row = (cell.y >> Patch::size_bits) - first_row_;
+    return patches_[patch_index(column, row)];
+}
+
+/// Ground seen often is certain, and a hit there changes nothing: then the patch stays shared.
+void OccupancyGrid::add_hit(Cell cell, NearestPoint offset) {
+    PatchPointer& patch = pointer_at(cell);
+    const std::size_t local = Patch::local(cell.x, cell.y);
+    const std::int8_t present = patch->log_odds[local];
+    const int before = present == Patch::unknown ? 0 : present;
+    const int after = std::min(before + settings_.hit_step, settings_.max_log_odds);
+    if (after != present) {
+        patch.writable().log_odds[local] = static_cast<std::int8_t>(after);
+    }
+    if (after <= 0) {
+        return;
+    }
+    if (before > 0) {
+        // The evidence collected so far stands in for the number of hits.
+        const NearestPoint mean = patch->nearest[local];
+        offset = running_mean(mean, offset,
+                              static_cast<float>(settings_.hit_step) / static_cast<float>(before + settings_.hit_step));
+        if (offset == mean) {
+            return;
+        }
+    }
+    spread(cell, offset);
+}
+
+/// Patch by patch: this runs for every end point whose cell's mean moved.
+void OccupancyGrid::spread(Cell occupied_cell, NearestPoint offset) {
+    const int x_end = occupied_cell.x + field_radius + 1;
+    const int y_end = occupied_cell.y + field_radius + 1;
+    for (int y = occupied_cell.y - field_radius; y < y_end; y = next_patch(y)) {
+        for (int x = occupied_cell.x - field_radius; x < x_end; x = next_patch(x)) {
+            const CellBox piece{x, y, std::min(x_end, next_patch(x)), std::min(y_end, next_patch(y))};
+            spread_in(pointer_at({x, y}).writable(), piece, occupied_cell, offset);
+        }
+    }
+    pointer_at(occupied_cell).writable().nearest[Patch::local(occupied_cell.x, occupied_cell.y)] = offset;
+}
+
+void OccupancyGrid::add_free(int y, int x_begin, int x_end) {
+    for (int x = x_begin; x < x_end;) {
+        const int piece_end = std::min(x_end, next_patch(x));
+        const int length = piece_end - x;
+        PatchPointer& patch = pointer_at({x, y});
+        const std::size_t local = Patch::local(x, y);
+        if (!all_equal(patch->log_odds.data() + local, length, settings_.min_log_odds) &&
+            lower(patch.writable().log_odds.data() + local, length)) {
+            forget_freed(y, x, piece_end);
+        }
+        x = piece_end;
+    }
+}
+
+/// Lowers a run of cells by one observation; whether one of them was occupied.
+bool OccupancyGrid::lower(std::int8_t* cells, int length) const {
+    const auto step = static_cast<std::int8_t>(settings_.free_step);
+    const auto floor = static_cast<std::int8_t>(settings_.min_log_odds);
+    int was_occupied = 0;
+    for (int i = 0; i < length; ++i) {
+        const std::int8_t value = cells[i];
+        was_occupied |= static_cast<int>(value > 0);
+        const auto known = static_cast<std::int8_t>(value == Patch::unknown ? 0 : value);
+        cells[i] = std::max(floor, static_cast<std::int8_t>(known - step));
+    }
+    return was_occupied != 0;
+}
+
+/// Takes the points of those cells of a row out of the field that are occupied no longer.
+void OccupancyGrid::forget_freed(int y, int x_begin, int x_end) {
+    for (int x = x_begin; x < x_end; ++x) {
+        if (!occupied({x, y}) && lies_in(nearest({x, y}), {x, y}, {x, y})) {
+            forget({x, y});
+        }
+    }
+}
+
+void OccupancyGrid::forget(Cell freed_cell) {
+    for_each_around(freed_cell, [&](Cell cell) {
+        if (!nearest(cell).none() && lies_in(nearest(cell), cell, freed_cell)) {
+            const NearestPoint next = search_nearest(cell);
+            pointer_at(cell).writable().nearest[Patch::local(cell.x, cell.y)] = next;
+        }
+    });
+}
+
+NearestPoint OccupancyGrid::search_nearest(Cell cell) const {
+    NearestPoint best;
+    for_each_around(cell, [&](Cell other) {
+        if (occupied(other)) {
+            const NearestPoint candidate = moved(nearest(other), other, cell);
+            if (best.none() || squared_length(candidate) < squared_length(best)) {
+                best = candidate;
+            }
+        }
+    });
+    return best;
+}
+
+CellBox OccupancyGrid::observed_box() const {
+    int left = columns_;
+    int right = 0;
+    int bottom = rows_;
+    int top = 0;
+    for (int row = 0; row < rows_; ++row) {
+        for (int column = 0; column < columns_; ++column) {
+            if (!patches_[patch_index(column, row)].empty()) {
+                left = std::min(left, column);
+                right = std::max(right, column + 1);
+                bottom = std::min(bottom, row);
+                top = std::max(top, row + 1);
+            }
+        }
+    }
+    if (left >= right) {
+        return {};
+    }
+    const auto cells = [](int patches) { return patches * Patch::size_cells; };
+    return {cells(first_column_ + left), cells(first_row_ + bottom), cells(first_column_ + right),
+            cells(first_row_ + top)};
+}
+
+}  // namespace ddtool

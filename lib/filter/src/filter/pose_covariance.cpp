@@ -1,0 +1,33 @@
+#include "filter/pose_covariance.hpp"
+
+#include <Eigen/LU>
+#include <cmath>
+
+namespace ddtool {
+namespace {
+
+Eigen::Matrix3d symmetric(const Eigen::Matrix3d& matrix) { return 0.5 * (matrix + matrix.transpose()); }
+
+/// Squares of half a millimetre and a fifth of a milliradian: no motion is known better, and the matrix stays regular.
+const Eigen::Vector3d least_noise(2.5e-7, 2.5e-7, 4e-8);
+
+}  // namespace
+
+Eigen::Matrix3d predicted_covariance(const Eigen::Matrix3d& covariance, const Pose2& from, const Pose2& motion,
+                                     const MotionSigmas& sigmas) {
+    const double c = std::cos(from.theta_rad);
+    const double s = std::sin(from.theta_rad);
+    Eigen::Matrix3d to_world = Eigen::Matrix3d::Identity();
+    to_world.topLeftCorner<2, 2>() << c, -s, s, c;
+    Eigen::Matrix3d carried = Eigen::Matrix3d::Identity();
+    carried(0, 2) = -s * motion.x_m - c * motion.y_m;
+    carried(1, 2) = c * motion.x_m - s * motion.y_m;
+    const Eigen::Vector3d noise = Eigen::Vector3d(sigmas.x_m, sigmas.y_m, sigmas.theta_rad).cwiseAbs2() + least_noise;
+    return symmetric(carried * covariance * carried.transpose() + to_world * noise.asDiagonal() * to_world.transpose());
+}
+
+Eigen::Matrix3d corrected_covariance(const Eigen::Matrix3d& covariance, const Eigen::Matrix3d& information) {
+    return symmetric(covariance * (Eigen::Matrix3d::Identity() + information * covariance).inverse());
+}
+
+}  // namespace ddtool

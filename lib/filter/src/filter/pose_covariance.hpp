@@ -1,0 +1,18 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "ddtool/robot/pose2.hpp"
+#include "ddtool/swarm/motion_model.hpp"
+
+namespace ddtool {
+
+/// Covariance (x, y, theta in the world frame) of `from * motion`, where `covariance` is that of `from` and `sigmas`
+/// are those of the motion in the frame of `from`: first order, F P F' + G Q G'.
+Eigen::Matrix3d predicted_covariance(const Eigen::Matrix3d& covariance, const Pose2& from, const Pose2& motion,
+                                     const MotionSigmas& sigmas);
+
+/// Covariance after a measurement of that information: (P^-1 + I)^-1, also where I is singular.
+Eigen::Matrix3d corrected_covariance(const Eigen::Matrix3d& covariance, const Eigen::Matrix3d& information);
+
+}  // namespace ddtool

@@ -1,0 +1,241 @@
+#include "ddtool/filter/scan_matcher.hpp"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+
+#include "base/lanes.hpp"
+#include "filter/beam_sums.hpp"
+
+namespace ddtool {
+namespace {
+
+constexpr std::size_t search_stride = 3;
+
+/// A step of Gauss-Newton smaller than this is the last: the cells are fifty times as large.
+constexpr double settled_m = 1e-3;
+constexpr double settled_rad = 5e-4;
+
+double squared(double value) { return value * value; }
+
+struct Rotation {
+    float c, s;
+    explicit Rotation(double theta_rad)
+        : c(static_cast<float>(std::cos(theta_rad))), s(static_cast<float>(std::sin(theta_rad))) {}
+};
+
+/// A cell's number; what lies where cells have none sees as much at the last that has one.
+int number_of(double whole_cells) { return static_cast<int>(std::clamp(whole_cells, -most_cells, most_cells)); }
+
+/// A pose in cells, with the whole part apart so that floats keep their precision far from the origin.
+struct CellPose {
+    int x0, y0;
+    float x, y;
+    CellPose(const Pose2& pose, double cell_size_m) : CellPose(pose.x_m / cell_size_m, pose.y_m / cell_size_m) {}
+
+private:
+    CellPose(double x_cells, double y_cells)
+        : x0(number_of(std::floor(x_cells))),
+          y0(number_of(std::floor(y_cells))),
+          x(static_cast<float>(x_cells - std::floor(x_cells))),
+          y(static_cast<float>(y_cells - std::floor(y_cells))) {}
+};
+
+/// std::floor is a library call on processors without SSE4.1. Coordinates are cells from the robot.
+int floor_of(float value) {
+    constexpr int offset = 1 << 14;
+    return static_cast<int>(value + static_cast<float>(offset)) - offset;
+}
+
+/// End points of one block of beams, relative to the corner of the cell (x0, y0).
+DDTOOL_VECTORISED void project_block(const float* x, const float* y, float c, float s, float tx, float ty, float* out_x,
+                                     float* out_y) {
+    Lanes px;
+    Lanes py;
+    load(px, x);
+    load(py, y);
+    store(out_x, c * px - s * py + tx);
+    store(out_y, s * px + c * py + ty);
+}
+
+BeamArrays arrays_of(const MatchPoints& points, const Residuals& residuals) {
+    return {points.x.data(),
+            points.y.data(),
+            points.normal_x.data(),
+            points.normal_y.data(),
+            points.along_weight.data(),
+            residuals.x.data(),
+            residuals.y.data(),
+            residuals.found.data(),
+            residuals.known.data()};
+}
+
+std::vector<float> padded(const std::vector<float>& values, double scale) {
+    std::vector<float> result(round_up_to_lanes(values.size()), 0.0F);
+    std::transform(values.begin(), values.end(), result.begin(),
+                   [&](float value) { return static_cast<float>(static_cast<double>(value) * scale); });
+    return result;
+}
+
+}  // namespace
+
+Eigen::Matrix3d information_of(const PosePrior& prior, double theta_rad) {
+    Eigen::Matrix3d world_from_robot = Eigen::Matrix3d::Identity();
+    const double c = std::cos(theta_rad);
+    const double s = std::sin(theta_rad);
+    world_from_robot.topLeftCorner<2, 2>() << c, -s, s, c;
+    const Eigen::Vector3d sigma(prior.sigma_along_m, prior.sigma_across_m, prior.sigma_turn_rad);
+    return world_from_robot * sigma.cwiseAbs2().cwiseInverse().asDiagonal() * world_from_robot.transpose();
+}
+
+MatchPoints::MatchPoints(const ScanPoints& points, double cell_size_m)
+    : x(padded(points.x_m, 1.0 / cell_size_m)),
+      y(padded(points.y_m, 1.0 / cell_size_m)),
+      normal_x(padded(points.normal_x, 1.0)),
+      normal_y(padded(points.normal_y, 1.0)),
+      along_weight(padded(points.along_weight, 1.0)),
+      counts(padded(std::vector<float>(points.size(), 1.0F), 1.0)),
+      beams(points.size()) {}
+
+ScanMatcher::ScanMatcher(const ScanMatcherSettings& settings, double cell_size_m)
+    : settings_(settings),
+      cell_size_m_(cell_size_m),
+      inverse_reach2_(static_cast<float>(squared(cell_size_m / settings.reach_m))) {}
+
+void ScanMatcher::find_residuals(const OccupancyGrid& grid, const MatchPoints& points, const Pose2& pose,
+                                 std::size_t stride) {
+    const Rotation rotation(pose.theta_rad);
+    const CellPose origin(pose, cell_size_m_);
+    residuals_.x.resize(points.x.size());
+    residuals_.y.resize(points.x.size());
+    residuals_.found.resize(points.x.size());
+    residuals_.known.resize(points.x.size());
+    for (std::size_t block = 0; block < points.x.size(); block += stride * lane_count) {
+        float* ex = residuals_.x.data() + block;
+        float* ey = residuals_.y.data() + block;
+        project_block(points.x.data() + block, points.y.data() + block, rotation.c, rotation.s, origin.x, origin.y, ex,
+                      ey);
+        for (std::size_t lane = 0; lane < lane_count; ++lane) {
+            const int cell_x = floor_of(ex[lane]);
+            const int cell_y = floor_of(ey[lane]);
+            const Cell cell{origin.x0 + cell_x, origin.y0 + cell_y};
+            const NearestPoint nearest = grid.nearest(cell);
+            constexpr float unit = 1.0F / NearestPoint::units_per_cell;
+            ex[lane] -= static_cast<float>(cell_x) + 0.5F + unit * (static_cast<float>(nearest.x) + 0.5F);
+            ey[lane] -= static_cast<float>(cell_y) + 0.5F + unit * (static_cast<float>(nearest.y) + 0.5F);
+            const bool known = !nearest.none() || grid.log_odds(cell) != Patch::unknown;
+            residuals_.found[block + lane] = nearest.none() ? 0.0F : points.counts[block + lane];
+            residuals_.known[block + lane] = known ? points.counts[block + lane] : 0.0F;
+        }
+    }
+}
+
+ScanMatcher::Normal ScanMatcher::normal_equations(const MatchPoints& points, const Pose2& pose) const {
+    const Rotation rotation(pose.theta_rad);
+    Sums sums{};
+    add_normal_equations(arrays_of(points, residuals_), points.x.size(), rotation.c, rotation.s, inverse_reach2_, sums);
+    // From cells to metres, and from squared residuals to information.
+    const double per_m2 = 1.0 / squared(settings_.beam_sigma_m);
+    const double m = cell_size_m_;
+    Normal normal;
+    normal.match.pose = pose;
+    normal.match.information << sums[xx], sums[xy], m * sums[xt],  //
+        sums[xy], sums[yy], m * sums[yt],                          //
+        m * sums[xt], m * sums[yt], m * m * sums[tt];
+    normal.match.information *= per_m2;
+    normal.match.score = sums[total_score] / static_cast<double>(std::max<std::size_t>(points.beams, 1));
+    normal.gradient = per_m2 * m * Eigen::Vector3d(sums[gx], sums[gy], m * sums[gt]);
+    return normal;
+}
+
+double ScanMatcher::log_likelihood(const MatchPoints& points, double theta_rad) const {
+    const Rotation rotation(theta_rad);
+    const double inverse = 0.5 * squared(cell_size_m_ / settings_.beam_sigma_m);
+    const double miss = 0.5 * squared(settings_.reach_m / settings_.beam_sigma_m);
+    LogLikelihood result;
+    add_log_likelihoods(arrays_of(points, residuals_), points.x.size(), rotation.c, rotation.s,
+                        static_cast<float>(inverse), static_cast<float>(miss), result);
+    // A scan wholly in unseen ground is no evidence for the pose: every beam a miss.
+    const double mean = result.known_beams > 0.0 ? result.sum / result.known_beams : -miss;
+    return mean * static_cast<double>(points.beams);
+}
+
+ScanMatch ScanMatcher::evaluate(const OccupancyGrid& grid, const MatchPoints& points, const Pose2& pose) {
+    find_residuals(grid, points, pose, 1);
+    ScanMatch match = normal_equations(points, pose).match;
+    match.log_likelihood = log_likelihood(points, pose.theta_rad);
+    return match;
+}
+
+/// The last step is too small to judge the scan anew: score, information and likelihood are those before it. Not taking
+/// it would leave every pose a little towards its prediction, which adds up over a run.
+ScanMatch ScanMatcher::refine(const OccupancyGrid& grid, const MatchPoints& points, const Pose2& start,
+                              const Pose2& predicted, const Eigen::Matrix3d& prior_information) {
+    Pose2 pose = start;
+    for (int iteration = 0; iteration < settings_.max_iterations; ++iteration) {
+        find_residuals(grid, points, pose, 1);
+        Normal normal = normal_equations(points, pose);
+        const Eigen::Vector3d from_prediction(pose.x_m - predicted.x_m, pose.y_m - predicted.y_m,
+                                              wrap_angle(pose.theta_rad - predicted.theta_rad));
+        const Eigen::Matrix3d system = normal.match.information + prior_information;
+        const Eigen::Vector3d step = -system.ldlt().solve(normal.gradient + prior_information * from_prediction);
+        pose = {pose.x_m + step.x(), pose.y_m + step.y(), wrap_angle(pose.theta_rad + step.z())};
+        if (step.head<2>().norm() < settled_m && std::abs(step.z()) < settled_rad) {
+            normal.match.log_likelihood = log_likelihood(points, normal.match.pose.theta_rad);
+            normal.match.pose = pose;
+            return normal.match;
+        }
+    }
+    return evaluate(grid, points, pose);
+}
+
+Pose2 ScanMatcher::search(const OccupancyGrid& grid, const MatchPoints& points, const Pose2& start) {
+    Pose2 best = start;
+    double best_score = score(grid, points, start, search_stride);
+    const auto consider = [&](const Pose2& pose) {
+        const double pose_score = score(grid, points, pose, search_stride);
+        if (pose_score > best_score) {
+            best_score = pose_score;
+            best = pose;
+        }
+    };
+    constexpr int turn_steps = 10;
+    constexpr int distance_steps = 3;
+    for (int round = 0; round < 2; ++round) {
+        const double scale = round == 0 ? 1.0 : 0.4;
+        const Pose2 turn_centre = best;
+        for (int turn = -turn_steps; turn <= turn_steps; ++turn) {
+            const double angle = scale * settings_.search_turn_rad * turn / turn_steps;
+            consider({turn_centre.x_m, turn_centre.y_m, wrap_angle(turn_centre.theta_rad + angle)});
+        }
+        const Pose2 centre = best;
+        const double step_m = scale * settings_.search_distance_m / distance_steps;
+        for (int x = -distance_steps; x <= distance_steps; ++x) {
+            for (int y = -distance_steps; y <= distance_steps; ++y) {
+                consider({centre.x_m + x * step_m, centre.y_m + y * step_m, centre.theta_rad});
+            }
+        }
+    }
+    return best;
+}
+
+ScanMatch ScanMatcher::match(const OccupancyGrid& grid, const MatchPoints& points, const Pose2& initial,
+                             const PosePrior& prior) {
+    const Eigen::Matrix3d prior_information = information_of(prior, initial.theta_rad);
+    ScanMatch direct = refine(grid, points, initial, initial, prior_information);
+    if (direct.score >= settings_.doubtful_score) {
+        return direct;
+    }
+    const ScanMatch searched = refine(grid, points, search(grid, points, initial), initial, prior_information);
+    return searched.score > direct.score ? searched : direct;
+}
+
+double ScanMatcher::score(const OccupancyGrid& grid, const MatchPoints& points, const Pose2& pose, std::size_t stride) {
+    find_residuals(grid, points, pose, stride);
+    const Rotation rotation(pose.theta_rad);
+    const double sum =
+        sum_of_scores(arrays_of(points, residuals_), points.x.size(), stride, rotation.c, rotation.s, inverse_reach2_);
+    return sum / static_cast<double>(std::max<std::size_t>(points.beams, 1));
+}
+
+}  // namespace ddtool

@@ -1,0 +1,75 @@
+#include "ddtool/filter/scan_odometry.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace ddtool {
+namespace {
+
+/// Way after which a map gives over to its successor.
+constexpr double map_length_m = 5.0;
+/// How far a robot may be from where its speed leads, from one scan to the next.
+constexpr PosePrior surprise{.sigma_along_m = 0.1, .sigma_across_m = 0.1, .sigma_turn_rad = 0.1};
+
+/// The motion at the same speed in another time; the same motion where the stamps say nothing.
+Pose2 at_same_speed(const Pose2& motion, std::int64_t its_ns, std::int64_t step_ns) {
+    constexpr double longest = 3.0;  // after a gap nobody knows the speed
+    if (its_ns <= 0 || step_ns <= 0) {
+        return motion;
+    }
+    const double share = std::min(static_cast<double>(step_ns) / static_cast<double>(its_ns), longest);
+    return {share * motion.x_m, share * motion.y_m, share * motion.theta_rad};
+}
+
+}  // namespace
+
+ScanOdometryStream::ScanOdometryStream(SensorStream& source, const RbpfSettings& settings)
+    : source_(source),
+      settings_(settings),
+      matcher_(settings.matcher, settings.grid.cell_size_m),
+      map_(settings.grid),
+      next_map_(settings.grid) {}
+
+std::optional<SensorFrame> ScanOdometryStream::next() {
+    std::optional<SensorFrame> frame = source_.next();
+    if (!frame) {
+        return frame;
+    }
+    const ScanPoints points = scan_points(*frame, settings_.points);
+    if (started_) {
+        const Pose2 found = match(*frame, points);
+        motion_ = between(pose_, found);
+        step_ns_ = frame->scan.stamp_ns - stamp_ns_;
+        pose_ = found;
+    }
+    const Pose2 since = between(entered_, pose_);
+    if (!started_ || std::hypot(since.x_m, since.y_m) >= settings_.insert_distance_m ||
+        std::abs(since.theta_rad) >= settings_.insert_turn_rad) {
+        enter(points);
+    }
+    started_ = true;
+    stamp_ns_ = frame->scan.stamp_ns;
+    frame->odom_from_robot = pose_;
+    return frame;
+}
+
+Pose2 ScanOdometryStream::match(const SensorFrame& frame, const ScanPoints& points) {
+    const Pose2 predicted = pose_ * at_same_speed(motion_, step_ns_, frame.scan.stamp_ns - stamp_ns_);
+    const MatchPoints match_points(points, settings_.grid.cell_size_m);
+    const ScanMatch found = matcher_.match(map_, match_points, predicted, surprise);
+    return found.score < settings_.min_match_score ? predicted : found.pose;
+}
+
+void ScanOdometryStream::enter(const ScanPoints& points) {
+    map_length_m_ += distance_m(entered_, pose_);
+    if (map_length_m_ > map_length_m) {
+        map_ = std::exchange(next_map_, OccupancyGrid(settings_.grid));
+        map_length_m_ = 0.0;
+    }
+    inserter_.insert(map_, points, pose_);
+    inserter_.insert(next_map_, points, pose_);
+    entered_ = pose_;
+}
+
+}  // namespace ddtool

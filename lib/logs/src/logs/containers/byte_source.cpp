@@ -1,0 +1,107 @@
+#include "logs/containers/byte_source.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <utility>
+
+#include "ddtool/base/error.hpp"
+#include "system/crc.hpp"
+#include "system/folder.hpp"
+
+namespace ddtool {
+namespace {
+
+constexpr std::uint64_t step_bytes = std::uint64_t{1} << 20;
+
+std::unique_ptr<std::istream> open_file(const std::filesystem::path& path) {
+    errno = 0;
+    auto stream = std::make_unique<std::ifstream>(path, std::ios::binary);
+    if (!*stream) {
+        throw Error(path.string() + ": cannot read: " + std::strerror(errno));
+    }
+    if (is_folder(path)) {
+        throw Error(path.string() + ": cannot read: it is a folder, a file was expected");
+    }
+    return stream;
+}
+
+std::optional<std::uint64_t> size_of(const std::filesystem::path& path) {
+    std::error_code unknown;
+    const bool regular = std::filesystem::is_regular_file(path, unknown);
+    return regular ? std::optional(std::filesystem::file_size(path)) : std::nullopt;
+}
+
+}  // namespace
+
+ByteSource::ByteSource(const std::filesystem::path& path) : ByteSource(open_file(path), path.string()) {
+    size_ = size_of(path);
+}
+
+ByteSource::ByteSource(std::unique_ptr<std::istream> stream, std::string name)
+    : stream_(std::move(stream)), name_(std::move(name)) {}
+
+ByteSource::ByteSource(std::unique_ptr<LiveBuffer> live, std::string name)
+    : live_(std::move(live)), stream_(std::make_unique<std::istream>(live_.get())), name_(std::move(name)) {}
+
+void ByteSource::wait_no_more() {
+    if (live_) {
+        live_->wait_no_more();
+    }
+}
+
+std::size_t ByteSource::read(std::span<std::byte> into) {
+    stream_->read(reinterpret_cast<char*>(into.data()), static_cast<std::streamsize>(into.size()));
+    if (stream_->bad()) {
+        throw Error(name_ + ": cannot read after byte " + std::to_string(offset_) + ": " + std::strerror(errno));
+    }
+    const auto count = static_cast<std::size_t>(stream_->gcount());
+    crc_ = crc32_of(into.first(count), crc_);
+    offset_ += count;
+    return count;
+}
+
+std::uint64_t ByteSource::append_to(std::vector<std::byte>& into, std::uint64_t size) {
+    std::uint64_t appended = 0;
+    while (appended < size) {
+        const std::size_t before = into.size();
+        const auto wanted = static_cast<std::size_t>(std::min(size - appended, step_bytes));
+        into.resize(before + wanted);
+        const std::size_t count = read(std::span(into).subspan(before));
+        into.resize(before + count);
+        appended += count;
+        if (count < wanted) {
+            break;
+        }
+    }
+    return appended;
+}
+
+std::uint64_t ByteSource::skip(std::uint64_t size) {
+    std::array<std::byte, 65536> discarded;
+    std::uint64_t skipped = 0;
+    while (skipped < size) {
+        const auto wanted = static_cast<std::size_t>(std::min<std::uint64_t>(size - skipped, discarded.size()));
+        const std::size_t count = read(std::span(discarded).first(wanted));
+        skipped += count;
+        if (count < wanted) {
+            break;
+        }
+    }
+    return skipped;
+}
+
+std::optional<std::uint64_t> ByteSource::remaining() const {
+    return size_ ? std::optional(*size_ > offset_ ? *size_ - offset_ : 0) : std::nullopt;
+}
+
+double ByteSource::fraction_read() const {
+    if (!size_) {
+        return 0.0;
+    }
+    return *size_ == 0 ? 1.0 : std::min(1.0, static_cast<double>(offset_) / static_cast<double>(*size_));
+}
+
+}  // namespace ddtool

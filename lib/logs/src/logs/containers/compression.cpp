@@ -1,0 +1,221 @@
+#include "logs/containers/compression.hpp"
+
+#include <bzlib.h>
+#include <lz4frame.h>
+#include <zstd.h>
+
+#include <algorithm>
+#include <limits>
+#include <memory>
+
+#include "ddtool/base/error.hpp"
+
+namespace ddtool {
+namespace {
+
+constexpr std::size_t first_buffer_bytes = std::size_t{64} << 10;
+
+/// One step of a decoder: how much it took and gave, and what it calls an error.
+struct Step {
+    std::size_t taken = 0;
+    std::size_t given = 0;
+    std::string error;
+};
+
+class Lz4Decoder {
+public:
+    Lz4Decoder() {
+        LZ4F_dctx* context = nullptr;
+        if (LZ4F_isError(LZ4F_createDecompressionContext(&context, LZ4F_VERSION)) != 0U) {
+            throw Error("lz4: out of memory");
+        }
+        context_.reset(context);
+    }
+
+    Step step(std::span<const std::byte> in, std::span<std::byte> out) {
+        std::size_t taken = in.size();
+        std::size_t given = out.size();
+        const std::size_t result = LZ4F_decompress(context_.get(), out.data(), &given, in.data(), &taken, nullptr);
+        return {taken, given, LZ4F_isError(result) != 0U ? LZ4F_getErrorName(result) : ""};
+    }
+
+private:
+    struct Free {
+        void operator()(LZ4F_dctx* context) const { LZ4F_freeDecompressionContext(context); }
+    };
+    std::unique_ptr<LZ4F_dctx, Free> context_;
+};
+
+class ZstdDecoder {
+public:
+    Step step(std::span<const std::byte> in, std::span<std::byte> out) {
+        ZSTD_inBuffer input{in.data(), in.size(), 0};
+        ZSTD_outBuffer output{out.data(), out.size(), 0};
+        const std::size_t result = ZSTD_decompressStream(context_.get(), &output, &input);
+        return {input.pos, output.pos, ZSTD_isError(result) != 0U ? ZSTD_getErrorName(result) : ""};
+    }
+
+private:
+    struct Free {
+        void operator()(ZSTD_DCtx* context) const { ZSTD_freeDCtx(context); }
+    };
+    std::unique_ptr<ZSTD_DCtx, Free> context_{ZSTD_createDCtx()};
+};
+
+std::string bzip2_error(int code) {
+    switch (code) {
+        case BZ_OK:
+        case BZ_STREAM_END:
+            return "";
+        case BZ_DATA_ERROR_MAGIC:
+            return "not bzip2 data";
+        case BZ_DATA_ERROR:
+            return "damaged bzip2 data";
+        default:
+            return "bzip2 error " + std::to_string(code);
+    }
+}
+
+unsigned bzip2_size(std::size_t size) {
+    return static_cast<unsigned>(std::min<std::size_t>(size, std::numeric_limits<unsigned>::max()));
+}
+
+class Bzip2Decoder {
+public:
+    Bzip2Decoder() {
+        if (BZ2_bzDecompressInit(stream_.get(), 0, 0) != BZ_OK) {
+            throw Error("bzip2: out of memory");
+        }
+    }
+
+    Step step(std::span<const std::byte> in, std::span<std::byte> out) {
+        if (ended_) {
+            return {};
+        }
+        // The library does not write to its input, but its interface is older than const.
+        stream_->next_in = const_cast<char*>(reinterpret_cast<const char*>(in.data()));  // NOLINT(*-const-cast)
+        stream_->avail_in = bzip2_size(in.size());
+        stream_->next_out = reinterpret_cast<char*>(out.data());
+        stream_->avail_out = bzip2_size(out.size());
+        const int code = BZ2_bzDecompress(stream_.get());
+        ended_ = code == BZ_STREAM_END;
+        return {bzip2_size(in.size()) - stream_->avail_in, bzip2_size(out.size()) - stream_->avail_out,
+                bzip2_error(code)};
+    }
+
+private:
+    struct Free {
+        void operator()(bz_stream* stream) const {
+            BZ2_bzDecompressEnd(stream);
+            delete stream;
+        }
+    };
+    std::unique_ptr<bz_stream, Free> stream_{new bz_stream{}};  // on the heap: bzip2 remembers its address
+    bool ended_ = false;
+};
+
+/// Room after the first `used` bytes, at most up to `limit`; doubles the buffer when there is none.
+std::span<std::byte> room(std::vector<std::byte>& buffer, std::size_t used, std::size_t limit) {
+    if (used == buffer.size()) {
+        buffer.resize(std::min(limit, std::max(first_buffer_bytes, 2 * buffer.size())));
+    }
+    return std::span(buffer).subspan(used, std::min(limit, buffer.size()) - used);
+}
+
+std::string size_failure(std::uint64_t size, std::uint64_t expected_size) {
+    return "decompresses to " + std::to_string(size) + " bytes where " + std::to_string(expected_size) +
+           " are declared";
+}
+
+template <typename Decoder>
+Decompressed decode(Decoder decoder, std::span<const std::byte> in, std::uint64_t expected_size,
+                    std::vector<std::byte>& buffer) {
+    // One byte more than expected, so that an input which gives too much is seen to do so.
+    const auto limit = static_cast<std::size_t>(expected_size) + 1;
+    std::size_t used = 0;
+    std::string failure;
+    while (failure.empty() && used < limit) {
+        const Step step = decoder.step(in, room(buffer, used, limit));
+        in = in.subspan(step.taken);
+        used += step.given;
+        failure = step.error;
+        if (step.taken == 0 && step.given == 0) {
+            break;
+        }
+    }
+    if (failure.empty() && used == limit) {
+        failure = "decompresses to more than the declared " + std::to_string(expected_size) + " bytes";
+    } else if (failure.empty() && used < expected_size) {
+        failure = size_failure(used, expected_size);
+    }
+    return {std::span(buffer).first(std::min<std::size_t>(used, limit - 1)), std::move(failure)};
+}
+
+std::vector<std::byte> compress_lz4(std::span<const std::byte> records) {
+    std::vector<std::byte> compressed(LZ4F_compressFrameBound(records.size(), nullptr));
+    const std::size_t size =
+        LZ4F_compressFrame(compressed.data(), compressed.size(), records.data(), records.size(), nullptr);
+    if (LZ4F_isError(size) != 0U) {
+        throw Error(std::string("lz4: ") + LZ4F_getErrorName(size));
+    }
+    compressed.resize(size);
+    return compressed;
+}
+
+std::vector<std::byte> compress_zstd(std::span<const std::byte> records) {
+    std::vector<std::byte> compressed(ZSTD_compressBound(records.size()));
+    const std::size_t size =
+        ZSTD_compress(compressed.data(), compressed.size(), records.data(), records.size(), ZSTD_CLEVEL_DEFAULT);
+    if (ZSTD_isError(size) != 0U) {
+        throw Error(std::string("zstd: ") + ZSTD_getErrorName(size));
+    }
+    compressed.resize(size);
+    return compressed;
+}
+
+std::vector<std::byte> compress_bzip2(std::span<const std::byte> records) {
+    // "To guarantee that the compressed data will fit in its buffer": 1 % and 600 bytes more (bzip2's manual, 3.5.1).
+    std::vector<std::byte> compressed(records.size() + records.size() / 100 + 600);
+    unsigned size = bzip2_size(compressed.size());
+    auto* const in = const_cast<char*>(reinterpret_cast<const char*>(records.data()));  // NOLINT(*-const-cast)
+    const int code = BZ2_bzBuffToBuffCompress(reinterpret_cast<char*>(compressed.data()), &size, in,
+                                              bzip2_size(records.size()), 9, 0, 0);
+    if (code != BZ_OK) {
+        throw Error("bzip2: cannot compress " + std::to_string(records.size()) + " bytes");
+    }
+    compressed.resize(size);
+    return compressed;
+}
+
+}  // namespace
+
+std::vector<std::byte> compress(Compression compression, std::span<const std::byte> records) {
+    switch (compression) {
+        case Compression::lz4:
+            return compress_lz4(records);
+        case Compression::zstd:
+            return compress_zstd(records);
+        case Compression::bzip2:
+            return compress_bzip2(records);
+        case Compression::none:
+            break;
+    }
+    return {records.begin(), records.end()};
+}
+
+Decompressed decompress(Compression compression, std::span<const std::byte> compressed, std::uint64_t expected_size,
+                        std::vector<std::byte>& buffer) {
+    switch (compression) {
+        case Compression::lz4:
+            return decode(Lz4Decoder(), compressed, expected_size, buffer);
+        case Compression::zstd:
+            return decode(ZstdDecoder(), compressed, expected_size, buffer);
+        case Compression::bzip2:
+            return decode(Bzip2Decoder(), compressed, expected_size, buffer);
+        case Compression::none:
+            break;
+    }
+    return {compressed, compressed.size() == expected_size ? "" : size_failure(compressed.size(), expected_size)};
+}
+
+}  // namespace ddtool

@@ -1,0 +1,129 @@
+#include "logs/containers/db3_source.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cstdio>
+#include <utility>
+
+#include "ddtool/base/error.hpp"
+
+namespace ddtool {
+namespace {
+
+constexpr int wait_for_lock_ms = 5000;
+
+/// As SQLite's documentation of URI file names has it.
+std::string escaped(const std::string& path) {
+    std::string text;
+    for (const char c : path) {
+        if (std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '/' || c == '.' || c == '_' || c == '-') {
+            text += c;
+        } else {
+            std::array<char, 4> code{};
+            std::snprintf(code.data(), code.size(), "%%%02X", static_cast<unsigned char>(c));
+            text += code.data();
+        }
+    }
+    return text;
+}
+
+/// A database in WAL mode cannot be opened in a folder that is read only, unless it is declared to be immutable: which
+/// it may be where no journal waits beside it.
+std::string read_only_uri(const std::filesystem::path& path) {
+    const bool has_journal = std::filesystem::exists(path.string() + "-wal");
+    return "file:" + escaped(std::filesystem::absolute(path).string()) + (has_journal ? "?mode=ro" : "?immutable=1");
+}
+
+std::string text_of(sqlite3_stmt* row, int column) {
+    const auto* const text = reinterpret_cast<const char*>(sqlite3_column_text(row, column));
+    return text == nullptr ? "" : text;
+}
+
+}  // namespace
+
+Db3Source::Db3Source(const std::filesystem::path& path, LogProblemHandler on_problem)
+    : name_(path.string()), on_problem_(std::move(on_problem)) {
+    sqlite3* database = nullptr;
+    const int code =
+        sqlite3_open_v2(read_only_uri(path).c_str(), &database, SQLITE_OPEN_READONLY | SQLITE_OPEN_URI, nullptr);
+    database_.reset(database);
+    if (code != SQLITE_OK) {
+        throw Error(name_ + ": cannot open: " + sqlite3_errstr(code));
+    }
+    sqlite3_busy_timeout(database, wait_for_lock_ms);
+    read_topics();
+    messages_ = prepare("SELECT id, topic_id, timestamp, data FROM messages ORDER BY id");
+    const Statement last = prepare("SELECT max(id) FROM messages");
+    last_row_ = step(last) ? sqlite3_column_int64(last.get(), 0) : 0;
+}
+
+Db3Source::Statement Db3Source::prepare(const char* query) const {
+    sqlite3_stmt* statement = nullptr;
+    if (sqlite3_prepare_v2(database_.get(), query, -1, &statement, nullptr) != SQLITE_OK) {
+        throw Error(name_ + ": is no rosbag2 log: " + sqlite3_errmsg(database_.get()) +
+                    "; expected an SQLite database with the tables topics and messages");
+    }
+    return Statement(statement);
+}
+
+bool Db3Source::step(const Statement& statement) {
+    const int code = sqlite3_step(statement.get());
+    if (code != SQLITE_ROW && code != SQLITE_DONE) {
+        report("after row " + std::to_string(row_) + ": " + sqlite3_errmsg(database_.get()) +
+               "; what follows cannot be read");
+    }
+    return code == SQLITE_ROW;
+}
+
+void Db3Source::read_topics() {
+    const Statement topics = prepare("SELECT id, name, type, serialization_format FROM topics");
+    while (step(topics)) {
+        McapChannel& channel = channels_[sqlite3_column_int64(topics.get(), 0)];
+        channel.topic = text_of(topics.get(), 1);
+        channel.schema.name = text_of(topics.get(), 2);
+        channel.message_encoding = text_of(topics.get(), 3);
+    }
+}
+
+std::optional<McapMessage> Db3Source::next() {
+    while (messages_) {
+        if (!step(messages_)) {
+            messages_.reset();
+        } else if (auto message = take_row()) {
+            return message;
+        }
+    }
+    return std::nullopt;
+}
+
+std::optional<McapMessage> Db3Source::take_row() {
+    sqlite3_stmt* const row = messages_.get();
+    row_ = sqlite3_column_int64(row, 0);
+    const std::int64_t topic = sqlite3_column_int64(row, 1);
+    const auto channel = channels_.find(topic);
+    if (channel == channels_.end()) {
+        if (undefined_.insert(topic).second) {
+            report("row " + std::to_string(row_) + ": topic " + std::to_string(topic) +
+                   " is not in the table of topics; its messages are skipped");
+        }
+        return std::nullopt;
+    }
+    McapMessage message;
+    message.channel = &channel->second;
+    message.log_time_ns = sqlite3_column_int64(row, 2);
+    message.publish_time_ns = message.log_time_ns;
+    const auto* const data = static_cast<const std::byte*>(sqlite3_column_blob(row, 3));
+    message.data = {data, static_cast<std::size_t>(sqlite3_column_bytes(row, 3))};
+    message.file_offset = static_cast<std::uint64_t>(row_);
+    message.offset_unit = "row";
+    return message;
+}
+
+double Db3Source::fraction_read() const {
+    return last_row_ <= 0 ? 1.0 : std::min(1.0, static_cast<double>(row_) / static_cast<double>(last_row_));
+}
+
+void Db3Source::report(const std::string& what) { on_problem_({name_ + ": " + what}); }
+
+}  // namespace ddtool

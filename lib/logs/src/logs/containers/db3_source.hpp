@@ -1,0 +1,52 @@
+#pragma once
+
+#include <sqlite3.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <set>
+#include <string>
+
+#include "ddtool/logs/log_problem.hpp"
+#include "logs/containers/message_source.hpp"
+
+namespace ddtool {
+
+/// The messages of rosbag2's SQLite storage (.db3) in the order in which they were stored: the tables `topics` (id,
+/// name, type, serialization_format) and `messages` (id, topic_id, timestamp in ns, data). Read only; the journal of a
+/// database that was not closed is read, too.
+class Db3Source : public MessageSource {
+public:
+    /// Throws Error naming the file when it cannot be opened, or has not these tables.
+    Db3Source(const std::filesystem::path& path, LogProblemHandler on_problem);
+
+    std::optional<McapMessage> next() override;
+    [[nodiscard]] double fraction_read() const override;
+
+private:
+    struct Close {
+        void operator()(sqlite3* database) const { sqlite3_close(database); }
+        void operator()(sqlite3_stmt* statement) const { sqlite3_finalize(statement); }
+    };
+    using Statement = std::unique_ptr<sqlite3_stmt, Close>;
+
+    [[nodiscard]] Statement prepare(const char* query) const;
+    /// Whether there is a row.
+    bool step(const Statement& statement);
+    void read_topics();
+    std::optional<McapMessage> take_row();
+    void report(const std::string& what);
+
+    std::string name_;
+    LogProblemHandler on_problem_;
+    std::unique_ptr<sqlite3, Close> database_;
+    Statement messages_;  // finalised before its database is closed
+    std::map<std::int64_t, McapChannel> channels_;
+    std::set<std::int64_t> undefined_;
+    std::int64_t row_ = 0;
+    std::int64_t last_row_ = 0;
+};
+
+}  // namespace ddtool

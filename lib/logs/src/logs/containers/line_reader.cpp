@@ -1,0 +1,38 @@
+#include "logs/containers/line_reader.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace ddtool {
+namespace {
+
+constexpr std::size_t buffer_bytes = 1 << 16;
+
+}  // namespace
+
+LineReader::LineReader(std::unique_ptr<TextSource> source) : source_(std::move(source)), buffer_(buffer_bytes, '\0') {}
+
+bool LineReader::refill() {
+    unread_ = std::string_view(buffer_).substr(0, source_->read(buffer_));
+    return !unread_.empty();
+}
+
+std::optional<std::string_view> LineReader::next() {
+    line_.clear();
+    if (unread_.empty() && !refill()) {
+        return std::nullopt;
+    }
+    ++line_number_;
+    do {
+        const std::size_t end = std::min(unread_.find('\n'), unread_.size());
+        line_.append(unread_.substr(0, std::min(end, max_line_bytes - line_.size())));
+        const bool complete = end < unread_.size();
+        unread_.remove_prefix(complete ? end + 1 : end);
+        if (complete) {
+            break;
+        }
+    } while (refill());
+    return line_;
+}
+
+}  // namespace ddtool

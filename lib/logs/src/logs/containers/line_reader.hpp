@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "logs/containers/text_source.hpp"
+
+namespace ddtool {
+
+/// The lines of a text, in bounded memory: a line beyond max_line_bytes is cut there.
+class LineReader {
+public:
+    static constexpr std::size_t max_line_bytes = 1 << 20;
+
+    explicit LineReader(std::unique_ptr<TextSource> source);
+
+    /// The next line without its newline, valid until the next call; none at the end.
+    std::optional<std::string_view> next();
+    /// Of the last line, counted from 1.
+    [[nodiscard]] std::size_t line_number() const { return line_number_; }
+    [[nodiscard]] double fraction_read() const { return source_->fraction_read(); }
+
+private:
+    bool refill();
+
+    std::unique_ptr<TextSource> source_;
+    std::string buffer_;
+    std::string_view unread_;
+    std::string line_;
+    std::size_t line_number_ = 0;
+};
+
+}  // namespace ddtool

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "ddtool/logs/log_problem.hpp"
+#include "logs/containers/message_source.hpp"
+
+namespace ddtool {
+
+/// The messages of a rosbag2 folder: its files one after the other. One that is missing or cannot be opened is reported
+/// and passed over.
+class Rosbag2Source : public MessageSource {
+public:
+    using OpenFile = std::function<std::unique_ptr<MessageSource>(const std::filesystem::path&)>;
+
+    /// `open` opens one storage file. Throws Error as rosbag2_files() does, and when not one of the files can be
+    /// opened.
+    Rosbag2Source(const std::filesystem::path& folder, OpenFile open, LogProblemHandler on_problem);
+
+    std::optional<McapMessage> next() override;
+    [[nodiscard]] double fraction_read() const override;
+
+private:
+    /// The next file that can be opened becomes the current one; none after the last. Returns the first failure.
+    std::string advance();
+
+    LogProblemHandler on_problem_;
+    OpenFile open_;
+    std::vector<std::filesystem::path> files_;
+    std::size_t opened_ = 0;  ///< or given up
+    std::unique_ptr<MessageSource> current_;
+};
+
+}  // namespace ddtool

@@ -1,0 +1,77 @@
+#include "logs/messages/foxglove_protobuf.hpp"
+
+#include <limits>
+
+#include "foxglove.pb.h"
+#include "logs/messages/foxglove_scan.hpp"
+#include "logs/messages/ros_conversions.hpp"
+
+namespace ddtool::foxglove {
+namespace {
+
+template <typename Message>
+std::optional<Message> parse(std::span<const std::byte> data) {
+    Message message;
+    const bool fits = data.size() <= static_cast<std::size_t>(std::numeric_limits<int>::max());
+    if (!fits || !message.ParseFromArray(data.data(), static_cast<int>(data.size()))) {
+        return std::nullopt;
+    }
+    return message;
+}
+
+Eigen::Isometry3d isometry(const wire::Vector3& v, const wire::Quaternion& q) {
+    return ros::to_isometry({{v.x(), v.y(), v.z()}, {q.x(), q.y(), q.z(), q.w()}});
+}
+
+PoseReading reading(const wire::FrameTransform& message) {
+    return {stamp_ns(message.timestamp().seconds(), message.timestamp().nanos()), message.parent_frame_id(),
+            message.child_frame_id(), isometry(message.translation(), message.rotation())};
+}
+
+std::vector<PoseReading> readings(const wire::FrameTransform& message) { return {reading(message)}; }
+
+std::vector<PoseReading> readings(const wire::FrameTransforms& message) {
+    std::vector<PoseReading> poses;
+    for (const wire::FrameTransform& transform : message.transforms()) {
+        poses.push_back(reading(transform));
+    }
+    return poses;
+}
+
+std::vector<PoseReading> readings(const wire::PoseInFrame& message) {
+    const wire::Pose& pose = message.pose();
+    return {{stamp_ns(message.timestamp().seconds(), message.timestamp().nanos()), message.frame_id(), "",
+             isometry(pose.position(), pose.orientation())}};
+}
+
+template <typename Message>
+std::optional<std::vector<PoseReading>> decode(std::span<const std::byte> data) {
+    const std::optional<Message> message = parse<Message>(data);
+    return message ? std::optional(readings(*message)) : std::nullopt;
+}
+
+}  // namespace
+
+std::optional<ScanReading> protobuf_scan(std::span<const std::byte> data) {
+    const std::optional<wire::LaserScan> message = parse<wire::LaserScan>(data);
+    if (!message) {
+        return std::nullopt;
+    }
+    ScanReading scan;
+    scan.frame_id = message->frame_id();
+    scan.frame_from_scan = isometry(message->pose().position(), message->pose().orientation());
+    scan.scan.stamp_ns = stamp_ns(message->timestamp().seconds(), message->timestamp().nanos());
+    scan.scan.ranges_m.assign(message->ranges().begin(), message->ranges().end());
+    set_angles(scan.scan, message->start_angle(), message->end_angle());
+    return scan;
+}
+
+std::optional<std::vector<PoseReading>> protobuf_poses(std::string_view type, std::span<const std::byte> data) {
+    if (type == "foxglove.PoseInFrame") {
+        return decode<wire::PoseInFrame>(data);
+    }
+    return type == "foxglove.FrameTransforms" ? decode<wire::FrameTransforms>(data)
+                                              : decode<wire::FrameTransform>(data);
+}
+
+}  // namespace ddtool::foxglove

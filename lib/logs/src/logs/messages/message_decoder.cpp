@@ -1,0 +1,129 @@
+#include "logs/messages/message_decoder.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "logs/messages/foxglove_json.hpp"
+#include "logs/messages/foxglove_protobuf.hpp"
+#include "logs/messages/ros_codec.hpp"
+#include "logs/messages/ros_readings.hpp"
+
+namespace ddtool {
+namespace {
+
+struct KnownType {
+    std::string_view name;
+    MessageKind kind;
+};
+
+constexpr std::array<KnownType, 5> ros_types{{
+    {"sensor_msgs/LaserScan", MessageKind::scan},
+    {"nav_msgs/Odometry", MessageKind::odometry},
+    {"geometry_msgs/PoseStamped", MessageKind::pose},
+    {"tf2_msgs/TFMessage", MessageKind::transforms},
+    {"tf/tfMessage", MessageKind::transforms},
+}};
+
+constexpr std::array<KnownType, 4> foxglove_types{{
+    {"foxglove.LaserScan", MessageKind::scan},
+    {"foxglove.PoseInFrame", MessageKind::pose},
+    {"foxglove.FrameTransform", MessageKind::transforms},
+    {"foxglove.FrameTransforms", MessageKind::transforms},
+}};
+
+MessageKind find_kind(std::span<const KnownType> types, std::string_view name) {
+    const auto found =
+        std::find_if(types.begin(), types.end(), [&](const KnownType& type) { return type.name == name; });
+    return found == types.end() ? MessageKind::other : found->kind;
+}
+
+/// ROS 2 names types package/msg/Type, ROS 1 package/Type.
+std::string without_msg(std::string name) {
+    constexpr std::string_view infix = "/msg/";
+    const std::size_t at = name.find(infix);
+    return at == std::string::npos ? name : name.replace(at, infix.size(), "/");
+}
+
+void tidy(std::string& frame_id) { frame_id.erase(0, frame_id.starts_with('/') ? 1 : 0); }
+
+bool is_somewhere(const Eigen::Isometry3d& pose) { return (pose.translation().array().abs() < farthest_m).all(); }
+
+void tidy_stamp(std::int64_t& stamp_ns, const McapMessage& message) {
+    if (stamp_ns == 0) {
+        stamp_ns = message.log_time_ns;
+    }
+}
+
+std::optional<ScanReading> decode_raw_scan(const McapMessage& message) {
+    const std::string& encoding = message.channel->message_encoding;
+    if (encoding == "protobuf") {
+        return foxglove::protobuf_scan(message.data);
+    }
+    if (encoding == "json") {
+        return foxglove::json_scan(message.data);
+    }
+    return ros::decode_scan(encoding, message.data);
+}
+
+std::optional<std::vector<PoseReading>> decode_raw_poses(const McapMessage& message) {
+    const std::string& encoding = message.channel->message_encoding;
+    const std::string& type = message.channel->schema.name;
+    if (encoding == "protobuf") {
+        return foxglove::protobuf_poses(type, message.data);
+    }
+    if (encoding == "json") {
+        return foxglove::json_poses(type, message.data);
+    }
+    return ros::decode_poses(kind_of(*message.channel), encoding, message.data);
+}
+
+}  // namespace
+
+MessageKind kind_of(const McapChannel& channel) {
+    const std::string& encoding = channel.message_encoding;
+    if (encoding == "cdr" || encoding == "ros1") {
+        return find_kind(ros_types, without_msg(channel.schema.name));
+    }
+    if (encoding == "protobuf" || encoding == "json") {
+        return find_kind(foxglove_types, channel.schema.name);
+    }
+    return MessageKind::other;
+}
+
+std::optional<ScanReading> decode_scan(const McapMessage& message) {
+    std::optional<ScanReading> reading = decode_raw_scan(message);
+    if (!reading || !is_somewhere(reading->frame_from_scan)) {
+        return std::nullopt;
+    }
+    tidy(reading->frame_id);
+    tidy_stamp(reading->scan.stamp_ns, message);
+    return reading;
+}
+
+std::optional<std::vector<PoseReading>> decode_poses(const McapMessage& message) {
+    std::optional<std::vector<PoseReading>> readings = decode_raw_poses(message);
+    if (!readings || !std::ranges::all_of(*readings, is_somewhere, &PoseReading::frame_from_child)) {
+        return std::nullopt;
+    }
+    for (PoseReading& reading : *readings) {
+        tidy(reading.frame_id);
+        tidy(reading.child_frame_id);
+        tidy_stamp(reading.stamp_ns, message);
+    }
+    return readings;
+}
+
+bool is_information(const McapChannel& channel) {
+    return channel.topic == "/fisher_information" && channel.message_encoding == "cdr" &&
+           channel.schema.name == ros::Float64MultiArray::type_name;
+}
+
+std::optional<Eigen::Matrix3d> decode_information(const McapMessage& message) {
+    const auto decoded = ros::decode_cdr<ros::Float64MultiArray>(message.data);
+    if (!decoded || decoded->data.size() != 9) {
+        return std::nullopt;
+    }
+    return Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(decoded->data.data());
+}
+
+}  // namespace ddtool

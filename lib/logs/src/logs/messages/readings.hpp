@@ -1,0 +1,29 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <cstdint>
+#include <string>
+
+#include "ddtool/robot/laser_scan.hpp"
+
+namespace ddtool {
+
+/// Positions farther away than this are damaged numbers: their sums and squares would soon be none at all.
+inline constexpr double farthest_m = 1e9;
+
+/// A laser scan as a log has it, whatever its message type.
+struct ScanReading {
+    std::string frame_id;
+    Eigen::Isometry3d frame_from_scan = Eigen::Isometry3d::Identity();  ///< the scan's own origin, where it has one
+    LaserScan scan;                                                     ///< ranges as logged, not yet normalised
+};
+
+/// A pose or transform as a log has it, whatever its message type.
+struct PoseReading {
+    std::int64_t stamp_ns = 0;
+    std::string frame_id;
+    std::string child_frame_id;  ///< empty where the message type has none
+    Eigen::Isometry3d frame_from_child = Eigen::Isometry3d::Identity();
+};
+
+}  // namespace ddtool

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+
+#include "logs/messages/ros_codec.hpp"
+
+namespace ddtool {
+
+/// Takes ROS 2 messages on topics, to keep them or to pass them on. A topic comes into being with its first message and
+/// keeps that message's type.
+class Ros2Sink {
+public:
+    Ros2Sink() = default;
+    virtual ~Ros2Sink() = default;
+    Ros2Sink(const Ros2Sink&) = delete;
+    Ros2Sink& operator=(const Ros2Sink&) = delete;
+
+    /// One message of a type of ros_messages.hpp.
+    template <typename Message>
+    void write(const std::string& topic, std::int64_t stamp_ns, const Message& message) {
+        put(topic, Message::type_name, stamp_ns, ros::encode_cdr(message));
+    }
+
+protected:
+    /// `data` is the message as CDR.
+    virtual void put(const std::string& topic, const char* type_name, std::int64_t stamp_ns,
+                     std::span<const std::byte> data) = 0;
+};
+
+}  // namespace ddtool

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <bit>
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "logs/messages/ros_messages.hpp"
+
+namespace ddtool::ros {
+
+/// A message with type_name as ROS 2 serialises it: the encapsulation header, then XCDR version 1 (OMG DDS-XTYPES 1.3,
+/// 7.4.1).
+template <typename Message>
+std::vector<std::byte> encode_cdr(const Message& message, std::endian endian = std::endian::little);
+
+/// Undoes encode_cdr(), for either byte order. Bytes behind the message are ignored. None for anything else; memory
+/// stays in proportion to the bytes.
+template <typename Message>
+std::optional<Message> decode_cdr(std::span<const std::byte> data);
+
+/// The same for ROS 1's serialisation (http://wiki.ros.org/msg, little endian, no padding, headers with a sequence
+/// number).
+template <typename Message>
+std::optional<Message> decode_ros1(std::span<const std::byte> data);
+
+}  // namespace ddtool::ros

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "logs/messages/message_decoder.hpp"
+
+namespace ddtool::ros {
+
+/// Decodes sensor_msgs LaserScan from "cdr" or "ros1". None when the bytes are no such message.
+std::optional<ScanReading> decode_scan(std::string_view encoding, std::span<const std::byte> data);
+
+/// Decodes nav_msgs Odometry, geometry_msgs PoseStamped or tf2_msgs TFMessage, by the kind of message.
+std::optional<std::vector<PoseReading>> decode_poses(MessageKind kind, std::string_view encoding,
+                                                     std::span<const std::byte> data);
+
+}  // namespace ddtool::ros

@@ -1,0 +1,189 @@
+#include "logs/stream/carmen_stream.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "base/text.hpp"
+#include "ddtool/base/error.hpp"
+#include "logs/stream/no_return.hpp"
+
+namespace ddtool {
+namespace {
+
+constexpr double sick_range_max_m = 80.0;
+constexpr std::string_view flaser = "FLASER";
+constexpr std::string_view robotlaser = "ROBOTLASER1";
+
+void check_options(const std::string& file, const LogOptions& options) {
+    if (!options.scan_topic.empty() && options.scan_topic != flaser && options.scan_topic != robotlaser) {
+        throw UsageError(file + ": has no scans '" + options.scan_topic +
+                         "'; in a CARMEN log they are FLASER or ROBOTLASER1");
+    }
+    const std::string& other_topic = options.odom_topic.empty() ? options.ground_truth_topic : options.odom_topic;
+    if (!other_topic.empty()) {
+        throw UsageError(file + ": has no topic '" + other_topic +
+                         "'; in a CARMEN log the odometry is in the scans, and there is no ground truth");
+    }
+}
+
+}  // namespace
+
+CarmenStream::CarmenStream(const std::filesystem::path& path, LogOptions options, LogProblemHandler on_problem)
+    : LogStream(std::move(on_problem)),
+      file_(path.string()),
+      options_(std::move(options)),
+      lines_(open_text(path, [this](const LogProblem& problem) { report(problem); })) {
+    check_options(file_, options_);
+    summary_.format = "CARMEN";
+    summary_.scan_topic = options_.scan_topic;
+}
+
+double CarmenStream::fraction_read() const { return lines_.fraction_read(); }
+
+std::optional<SensorFrame> CarmenStream::next() {
+    if (!started_) {
+        started_ = true;
+        read_ahead();
+    }
+    std::optional<SensorFrame> frame;
+    if (ahead_.empty()) {
+        frame = read_frame();
+    } else {
+        frame = std::move(ahead_.front());
+        ahead_.pop_front();
+    }
+    if (frame) {
+        ++summary_.scans;
+        set_no_returns(frame->scan);
+    }
+    return frame;
+}
+
+void CarmenStream::read_ahead() {
+    std::vector<float> ranges_m;
+    while (ahead_.size() < scans_read_ahead) {
+        std::optional<SensorFrame> frame = read_frame();
+        if (!frame) {
+            break;
+        }
+        ranges_m.insert(ranges_m.end(), frame->scan.ranges_m.begin(), frame->scan.ranges_m.end());
+        ahead_.push_back(std::move(*frame));
+    }
+    if (ahead_.empty()) {
+        fail_without_scans();
+    }
+    no_return_code_ = find_no_return_code(std::move(ranges_m));
+    note_assumptions();
+}
+
+void CarmenStream::note_assumptions() {
+    if (summary_.scan_topic == flaser && !mounting_ && !options_.laser_pose) {
+        summary_.assumptions.push_back(
+            file_ + ": no PARAM robot_frontlaser_offset; the laser is taken to be at the robot's origin");
+    }
+}
+
+std::optional<SensorFrame> CarmenStream::read_frame() {
+    while (const std::optional<std::string_view> line = lines_.next()) {
+        if (std::optional<SensorFrame> frame = take_line(*line)) {
+            return frame;
+        }
+    }
+    return std::nullopt;
+}
+
+std::optional<SensorFrame> CarmenStream::take_line(std::string_view line) {
+    const std::string name(next_word(line));
+    if (name == flaser || name == robotlaser) {
+        return take_scan(name, line);
+    }
+    if (name == "PARAM") {
+        take_parameter(line);
+    }
+    return std::nullopt;
+}
+
+std::optional<SensorFrame> CarmenStream::take_scan(const std::string& name, std::string_view words) {
+    if (summary_.scan_topic.empty()) {
+        summary_.scan_topic = name;
+    }
+    if (name != summary_.scan_topic) {
+        other_scan_name_ = name;
+        return std::nullopt;
+    }
+    std::optional<CarmenScan> message = name == flaser ? parse_flaser(words) : parse_robotlaser(words);
+    if (!message) {
+        report({file_ + ":" + std::to_string(lines_.line_number()) + ": skipped a damaged " + name +
+                " line; expected its readings, two poses, time and host"});
+        return std::nullopt;
+    }
+    ++summary_.odometry;
+    summary_.odom_topic = name;
+    SensorFrame frame;
+    frame.robot_from_laser = robot_from_laser(*message);
+    frame.odom_from_robot = message->odom_from_robot;
+    frame.scan = std::move(message->scan);
+    return frame;
+}
+
+void CarmenStream::take_parameter(std::string_view words) {
+    constexpr std::array<std::pair<std::string_view, double Pose2::*>, 3> mounting{{
+        {"robot_frontlaser_offset", &Pose2::x_m},
+        {"robot_frontlaser_side_offset", &Pose2::y_m},
+        {"robot_frontlaser_angular_offset", &Pose2::theta_rad},
+    }};
+    const std::string_view name = next_word(words);
+    const std::optional<double> value = parse_number(next_word(words));
+    if (!value) {
+        return;
+    }
+    if (name == "robot_front_laser_max") {
+        range_max_m_ = *value;
+    }
+    for (const auto& [offset_name, member] : mounting) {
+        if (name == offset_name) {
+            mounting_ = mounting_.value_or(Pose2{});
+            (*mounting_).*member = *value;
+        }
+    }
+}
+
+/// FLASER's first pose is no source of the mounting: in corrected logs it is the corrected pose.
+Pose2 CarmenStream::robot_from_laser(const CarmenScan& message) const {
+    if (options_.laser_pose) {
+        return *options_.laser_pose;
+    }
+    if (summary_.scan_topic == robotlaser) {
+        return between(message.odom_from_robot, message.odom_from_laser);
+    }
+    return mounting_.value_or(Pose2{});
+}
+
+void CarmenStream::set_no_returns(LaserScan& scan) const {
+    double limit_m = sick_range_max_m;
+    for (const double stated_m : {scan.range_max_m, range_max_m_.value_or(0.0)}) {
+        if (stated_m > 0.0) {
+            limit_m = std::min(limit_m, stated_m);
+        }
+    }
+    if (no_return_code_) {
+        limit_m = std::min(limit_m, static_cast<double>(*no_return_code_));
+    }
+    scan.range_max_m = limit_m;
+    for (float& range : scan.ranges_m) {
+        if (static_cast<double>(range) >= limit_m) {
+            range = LaserScan::no_return;
+        }
+    }
+    normalise_ranges(scan);
+}
+
+void CarmenStream::fail_without_scans() const {
+    const std::string hint = other_scan_name_.empty() ? "" : " (it has " + other_scan_name_ + " lines)";
+    const std::string wanted =
+        summary_.scan_topic.empty() ? std::string(flaser) + " or " + std::string(robotlaser) : summary_.scan_topic;
+    throw Error(file_ + ": holds no readable scans; expected " + wanted + " lines" + hint);
+}
+
+}  // namespace ddtool

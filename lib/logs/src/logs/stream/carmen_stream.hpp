@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstddef>
+#include <deque>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "ddtool/logs/log_stream.hpp"
+#include "logs/containers/line_reader.hpp"
+#include "logs/messages/carmen_message.hpp"
+
+namespace ddtool {
+
+/// The frames of a CARMEN log: FLASER or ROBOTLASER1 lines, whichever comes first, with the odometry each carries.
+/// Readings are no return from the least of these on: the maximum range that the log states (ROBOTLASER1, or PARAM
+/// robot_front_laser_max), the no-return code found in its first scans, and 80 m, the limit of the SICK lasers of
+/// these logs (their codes are 81.83 to 81.91). So the first scans are read before the first frame is given out.
+class CarmenStream : public LogStream {
+public:
+    static constexpr std::size_t scans_read_ahead = 1000;
+
+    CarmenStream(const std::filesystem::path& path, LogOptions options, LogProblemHandler on_problem);
+
+    std::optional<SensorFrame> next() override;
+    [[nodiscard]] double fraction_read() const override;
+
+private:
+    void read_ahead();
+    void note_assumptions();
+    std::optional<SensorFrame> read_frame();
+    std::optional<SensorFrame> take_line(std::string_view line);
+    std::optional<SensorFrame> take_scan(const std::string& name, std::string_view words);
+    void take_parameter(std::string_view words);
+    [[nodiscard]] Pose2 robot_from_laser(const CarmenScan& message) const;
+    void set_no_returns(LaserScan& scan) const;
+    [[noreturn]] void fail_without_scans() const;
+
+    std::string file_;
+    LogOptions options_;
+    LineReader lines_;
+    std::deque<SensorFrame> ahead_;
+    bool started_ = false;
+    std::optional<Pose2> mounting_;      ///< PARAM robot_frontlaser_*
+    std::optional<double> range_max_m_;  ///< PARAM robot_front_laser_max
+    std::optional<float> no_return_code_;
+    std::string other_scan_name_;  ///< seen, but not the one in use
+};
+
+}  // namespace ddtool

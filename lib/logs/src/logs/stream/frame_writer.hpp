@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <limits>
+#include <optional>
+
+#include "ddtool/robot/pose2.hpp"
+#include "ddtool/robot/sensor_stream.hpp"
+#include "logs/stream/ros2_writer.hpp"
+
+namespace ddtool {
+
+/// Writes sensor frames as a log of ROS 2 messages: /scan (LaserScan), /odom and, where it is known, /ground_truth
+/// (Odometry), /tf (odom from base_link) and /tf_static (base_link from laser). open_log() reads it back.
+class FrameWriter {
+public:
+    explicit FrameWriter(const std::filesystem::path& path) : file_(path) {}
+
+    void write(const SensorFrame& frame);
+    /// Completes the file; without it nothing is left behind.
+    void close() { file_.close(); }
+
+private:
+    void write_mounting(std::int64_t stamp_ns, const Pose2& robot_from_laser);
+
+    Ros2Writer file_;
+    std::optional<Pose2> robot_from_laser_;  ///< as last written
+    /// Never steps back, so that who reads by log time keeps the frames' order; the messages' own stamps may.
+    std::int64_t log_time_ns_ = std::numeric_limits<std::int64_t>::min();
+};
+
+}  // namespace ddtool

@@ -1,0 +1,68 @@
+#include "logs/stream/laser_mounting.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "logs/messages/ros_conversions.hpp"
+
+namespace ddtool {
+namespace {
+
+double largest_reading_m(const LaserScan& scan) {
+    double largest = 0.0;
+    for (const float range : scan.ranges_m) {
+        if (std::isfinite(range)) {
+            largest = std::max(largest, static_cast<double>(range));
+        }
+    }
+    return largest;
+}
+
+/// Foxglove's messages state no limits, and some drivers leave them out.
+void complete_limits(LaserScan& scan) {
+    if (!(scan.range_min_m >= 0.0)) {
+        scan.range_min_m = 0.0;
+    }
+    if (!(scan.range_max_m > scan.range_min_m) || !std::isfinite(scan.range_max_m)) {
+        scan.range_max_m = largest_reading_m(scan);
+    }
+}
+
+void mirror(LaserScan& scan) {
+    scan.angle_min_rad = -scan.angle_min_rad;
+    scan.angle_increment_rad = -scan.angle_increment_rad;
+}
+
+std::optional<std::string> find_fault(const LaserScan& scan) {
+    if (scan.ranges_m.empty()) {
+        return "a scan without beams";
+    }
+    const bool finite = std::isfinite(scan.angle_min_rad) && std::isfinite(scan.angle_increment_rad);
+    if (!finite || (scan.angle_increment_rad == 0.0 && scan.ranges_m.size() > 1)) {
+        return "a scan whose beams have no directions (angle_min " + std::to_string(scan.angle_min_rad) +
+               ", angle_increment " + std::to_string(scan.angle_increment_rad) + ")";
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<std::string> place_scan(ScanReading reading, const Eigen::Isometry3d& robot_from_laser,
+                                      SensorFrame& frame) {
+    LaserScan& scan = reading.scan;
+    if (std::optional<std::string> fault = find_fault(scan)) {
+        return fault;
+    }
+    const Eigen::Isometry3d robot_from_scan = robot_from_laser * reading.frame_from_scan;
+    const bool upside_down = robot_from_scan.linear()(2, 2) < 0.0;
+    if (upside_down) {
+        mirror(scan);
+    }
+    complete_limits(scan);
+    normalise_ranges(scan);
+    frame.robot_from_laser = ros::to_pose2(robot_from_scan);
+    frame.scan = std::move(scan);
+    return std::nullopt;
+}
+
+}  // namespace ddtool

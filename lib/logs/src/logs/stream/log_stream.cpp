@@ -1,0 +1,31 @@
+#include "ddtool/logs/log_stream.hpp"
+
+#include <utility>
+
+#include "logs/stream/carmen_stream.hpp"
+#include "logs/stream/log_container.hpp"
+#include "logs/stream/message_log_stream.hpp"
+
+namespace ddtool {
+LogStream::LogStream(LogProblemHandler on_problem) : on_problem_(std::move(on_problem)) {}
+
+void LogStream::report(const LogProblem& problem) {
+    ++summary_.problems;
+    summary_.bytes_lost += problem.bytes_lost;
+    on_problem_(problem);
+}
+
+std::unique_ptr<LogStream> open_log(const std::filesystem::path& path, const LogOptions& options,
+                                    LogProblemHandler on_problem) {
+    const LogContainer container = container_of(path);
+    if (container == LogContainer::carmen) {
+        return std::make_unique<CarmenStream>(path, options, std::move(on_problem));
+    }
+    const auto open = [container, path](LogProblemHandler handler) {
+        return open_messages(container, path, std::move(handler));
+    };
+    return std::make_unique<MessageLogStream>(open, MessageLogStream::Opening::twice, std::string(name_of(container)),
+                                              path.string(), options, std::move(on_problem));
+}
+
+}  // namespace ddtool

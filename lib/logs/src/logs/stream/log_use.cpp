@@ -1,0 +1,50 @@
+#include "logs/stream/log_use.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace ddtool {
+namespace {
+
+void take_scan(LogUse& use, const LaserScan& scan) {
+    use.fewest_beams = std::min(use.fewest_beams, scan.ranges_m.size());
+    use.most_beams = std::max(use.most_beams, scan.ranges_m.size());
+    use.field_of_view_rad = std::abs(scan.angle_rad(scan.ranges_m.size() - 1) - scan.angle_min_rad);
+    use.range_max_m = scan.range_max_m;
+    use.beams += scan.ranges_m.size();
+    use.returns += static_cast<std::size_t>(
+        std::ranges::count_if(scan.ranges_m, [](float range_m) { return std::isfinite(range_m); }));
+}
+
+void take_step(LogUse& use, const SensorFrame& before, const SensorFrame& frame) {
+    const double gap_s = 1e-9 * (static_cast<double>(frame.scan.stamp_ns) - static_cast<double>(before.scan.stamp_ns));
+    use.longest_gap_s = std::max(use.longest_gap_s, gap_s);
+    use.stamps_back += gap_s < 0.0 ? 1 : 0;
+    use.odometry_m += std::hypot(frame.odom_from_robot.x_m - before.odom_from_robot.x_m,
+                                 frame.odom_from_robot.y_m - before.odom_from_robot.y_m);
+}
+
+}  // namespace
+
+LogUse use_of(LogStream& log, const std::function<void(double)>& on_progress) {
+    LogUse use;
+    std::optional<SensorFrame> before;
+    while (std::optional<SensorFrame> frame = log.next()) {
+        take_scan(use, frame->scan);
+        if (before) {
+            take_step(use, *before, *frame);
+        } else {
+            use.first_ns = frame->scan.stamp_ns;
+        }
+        use.last_ns = frame->scan.stamp_ns;
+        use.robot_from_laser = frame->robot_from_laser;
+        use.with_ground_truth += frame->world_from_robot ? 1 : 0;
+        before = std::move(frame);
+        on_progress(log.fraction_read());
+    }
+    use.summary = log.summary();
+    return use;
+}
+
+}  // namespace ddtool

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <limits>
+
+#include "ddtool/logs/log_stream.hpp"
+
+namespace ddtool {
+
+/// What the frames of a log are like: all that a run over it would get.
+struct LogUse {
+    LogSummary summary;
+    std::size_t fewest_beams = std::numeric_limits<std::size_t>::max();
+    std::size_t most_beams = 0;
+    double field_of_view_rad = 0.0;  ///< of the last scan, from its first beam to its last
+    double range_max_m = 0.0;        ///< of the last scan
+    Pose2 robot_from_laser;          ///< of the last scan
+    std::int64_t first_ns = 0;       ///< stamps of the first and the last scan
+    std::int64_t last_ns = 0;
+    double longest_gap_s = 0.0;         ///< between the stamps of two scans
+    std::size_t stamps_back = 0;        ///< scans whose stamp is before the one before
+    std::size_t beams = 0;              ///< of all scans
+    std::size_t returns = 0;            ///< beams with a range
+    double odometry_m = 0.0;            ///< the way that odometry went, scan to scan
+    std::size_t with_ground_truth = 0;  ///< scans
+};
+
+/// Reads the log to its end. `on_progress` is told the share read.
+LogUse use_of(LogStream& log, const std::function<void(double)>& on_progress);
+
+}  // namespace ddtool

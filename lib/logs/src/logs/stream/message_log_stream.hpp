@@ -1,0 +1,69 @@
+#pragma once
+
+#include <deque>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "ddtool/logs/log_stream.hpp"
+#include "logs/containers/message_source.hpp"
+#include "logs/stream/log_plan.hpp"
+#include "logs/stream/pose_track.hpp"
+
+namespace ddtool {
+
+/// The frames of a log that is made of messages. Its beginning is read twice: to choose the topics, then for frames; of
+/// a log that can be opened but once it is kept in memory meanwhile. A scan waits until an odometry (and ground truth)
+/// message behind it reaches its stamp, then takes the interpolated pose; where there is none (the log's ends, gaps) it
+/// takes the nearest.
+class MessageLogStream : public LogStream {
+public:
+    /// Scans that may wait at a time; beyond, the first goes without waiting.
+    static constexpr std::size_t max_waiting = 256;
+    /// Odometry farther away than this is a problem.
+    static constexpr double max_odometry_gap_s = 0.5;
+
+    using OpenSource = std::function<std::unique_ptr<MessageSource>(LogProblemHandler)>;
+
+    enum class Opening { twice, once };
+
+    /// Surveys the log at once. `file` is for messages. Throws as plan_log() does.
+    MessageLogStream(const OpenSource& open, Opening opening, std::string format, std::string file,
+                     const LogOptions& options, LogProblemHandler on_problem);
+
+    std::optional<SensorFrame> next() override;
+    [[nodiscard]] double fraction_read() const override { return source_->fraction_read(); }
+
+private:
+    struct WaitingScan {
+        SensorFrame frame;
+        bool has_odometry = false;
+        bool has_ground_truth = false;
+        bool has_information = false;
+    };
+
+    /// Sets plan_ and source_, which then begins anew.
+    void survey(const OpenSource& open, const LogOptions& options);
+    void survey_once(const OpenSource& open, const LogOptions& options);
+    void take(const McapMessage& message);
+    void take_scan(const McapMessage& message);
+    void take_odometry(const McapMessage& message);
+    void take_ground_truth(const McapMessage& message);
+    void take_information(const McapMessage& message);
+    [[nodiscard]] bool is_odometry(const PoseReading& reading) const;
+    [[nodiscard]] bool first_is_ready() const;
+    SensorFrame release_first();
+    [[nodiscard]] Pose2 odometry_at(std::int64_t stamp_ns);
+    void report_message(const McapMessage& message, const std::string& what);
+
+    std::string file_;
+    LogPlan plan_;
+    std::unique_ptr<MessageSource> source_;
+    std::deque<WaitingScan> waiting_;
+    PoseTrack odometry_;
+    PoseTrack ground_truth_;
+    bool ended_ = false;
+};
+
+}  // namespace ddtool

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "ddtool/filter/scan_odometry.hpp"
+#include "ddtool/logs/log_stream.hpp"
+
+namespace ddtool {
+
+/// The scans of a log with what is known of the robot's motion: the log's own odometry, or one made of the scans.
+class DrivenScans : public SensorStream {
+public:
+    /// settings: of the filter that will take the frames.
+    DrivenScans(std::unique_ptr<LogStream> log, const RbpfSettings& settings) : log_(std::move(log)) {
+        if (!log_->summary().has_odometry) {
+            from_scans_.emplace(*log_, settings);
+        }
+    }
+    std::optional<SensorFrame> next() override { return from_scans_ ? from_scans_->next() : log_->next(); }
+    [[nodiscard]] double fraction_read() const override { return log_->fraction_read(); }
+    [[nodiscard]] const LogSummary& summary() const { return log_->summary(); }
+
+private:
+    std::unique_ptr<LogStream> log_;
+    std::optional<ScanOdometryStream> from_scans_;
+};
+
+}  // namespace ddtool

@@ -1,0 +1,129 @@
+#include "ddtool/methods/method.hpp"
+
+#include <algorithm>
+
+#include "ddtool/base/error.hpp"
+#include "ddtool/network/shipped_model.hpp"
+#include "ddtool/system/settings.hpp"
+
+namespace ddtool {
+namespace {
+
+struct Method {
+    std::string name;
+    MethodParts parts;
+    bool single_hypothesis = false;
+};
+
+const std::vector<Method>& methods() {
+    static const std::vector<Method> table{
+        {"gmapping", {}},
+        {"paper", {"covariance", "coarse-fine", "lidar-score", "enhanced", "as-logged"}},
+        {"anti-degeneracy", {native::shipped_model_name, "none", "information", "systematic", "learnt"}},
+        {"fisher-gate", {"none", "none", "eigenvalue-gate", "systematic", "as-logged"}},
+        {"dn-csm", {"none", "correlative", "none", "systematic", "as-logged"}, true},
+        {"odometry", {"none", "none", "odometry", "systematic", "as-logged"}, true},
+    };
+    return table;
+}
+
+const Method& method_of(const std::string& name) {
+    const auto found =
+        std::find_if(methods().begin(), methods().end(), [&](const Method& method) { return method.name == name; });
+    if (found == methods().end()) {
+        throw UsageError("filter.method: expected " + joined(method_names()) + ", not '" + name + "'");
+    }
+    return *found;
+}
+
+/// A place's choices: a name and what makes the part.
+template <typename Part>
+using Choices = std::vector<std::pair<std::string, std::function<std::shared_ptr<Part>()>>>;
+
+template <typename Part>
+std::shared_ptr<Part> chosen(const Choices<Part>& choices, const std::string& key, const std::string& name) {
+    std::vector<std::string> names;
+    for (const auto& [known, make] : choices) {
+        if (known == name) {
+            return make();
+        }
+        names.push_back(known);
+    }
+    throw UsageError("filter." + key + ": expected " + joined(names) + ", not '" + name + "'");
+}
+
+using Correction = const PoseCorrection;
+
+std::shared_ptr<Correction> search_of(const std::string& name, const MethodSettings& settings) {
+    return chosen<Correction>(
+        {{"none", [] { return nullptr; }},
+         {"coarse-fine", [&] { return std::make_shared<CoarseFineSearch>(settings.coarse_fine); }},
+         {"correlative", [&] { return std::make_shared<CorrelativeSearch>(settings.correlative); }}},
+        "search", name);
+}
+
+std::shared_ptr<Correction> trust_of(const std::string& name, const MethodSettings& settings) {
+    return chosen<Correction>(
+        {{"none", [] { return nullptr; }},
+         {"lidar-score", [] { return std::make_shared<LidarScoreTrust>(); }},
+         {"information", [&] { return std::make_shared<InformationFusion>(settings.fusion); }},
+         {"eigenvalue-gate", [&] { return std::make_shared<EigenvalueGate>(settings.eigenvalue_gate); }},
+         {"odometry", [] { return std::make_shared<OdometryTrust>(); }}},
+        "trust", name);
+}
+
+std::shared_ptr<const Resampling> resampling_of(const std::string& name, const MethodSettings& settings) {
+    return chosen<const Resampling>(
+        {{"systematic", [] { return std::make_shared<SystematicResampling>(); }},
+         {"enhanced", [&] { return std::make_shared<EnhancedResampling>(settings.enhanced_resampling); }}},
+        "resampling", name);
+}
+
+std::shared_ptr<OdometryModel> odometry_of(const std::string& name, const FilterSettings& settings) {
+    return chosen<OdometryModel>(
+        {{"as-logged", [&] { return std::make_shared<FixedOdometry>(settings.rbpf.motion); }},
+         {"learnt", [&] { return std::make_shared<LearntOdometry>(settings.method.odometry_learning); }}},
+        "odometry", name);
+}
+
+FilterStrategies strategies_of(const FilterSettings& settings, const DetectorTable& detectors) {
+    const MethodParts parts = parts_of(settings.method);
+    FilterStrategies strategies{
+        .detector = detectors.make(parts.detector, settings.method.detection, settings.rbpf.motion),
+        .corrections = {search_of(parts.search, settings.method), trust_of(parts.trust, settings.method)},
+        .resampling = resampling_of(parts.resampling, settings.method),
+        .odometry = odometry_of(parts.odometry, settings)};
+    std::erase(strategies.corrections, nullptr);
+    return strategies;
+}
+
+}  // namespace
+
+std::vector<std::string> method_names() {
+    std::vector<std::string> names;
+    for (const Method& method : methods()) {
+        names.push_back(method.name);
+    }
+    return names;
+}
+
+MethodParts parts_of(const MethodSettings& settings) {
+    MethodParts parts = method_of(settings.method).parts;
+    for (const auto part : {&MethodParts::detector, &MethodParts::search, &MethodParts::trust, &MethodParts::resampling,
+                            &MethodParts::odometry}) {
+        if (!(settings.parts.*part).empty()) {
+            parts.*part = settings.parts.*part;
+        }
+    }
+    return parts;
+}
+
+std::unique_ptr<Rbpf> make_filter(const FilterSettings& settings, const DetectorTable& detectors, ThreadPool& threads) {
+    RbpfSettings rbpf = settings.rbpf;
+    if (method_of(settings.method.method).single_hypothesis) {
+        rbpf.particles = 1;
+    }
+    return std::make_unique<Rbpf>(rbpf, threads, strategies_of(settings, detectors));
+}
+
+}  // namespace ddtool

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "network/basic_block.hpp"
+#include "network/dd_tables.hpp"
+#include "network/encoder_layer.hpp"
+#include "network/stem.hpp"
+
+namespace ddtool::native {
+
+/// A trained network of the DD-Model's kind, one image at a time. Nothing is allocated after construction.
+class DDNetwork {
+public:
+    /// Takes all of the network's tensors, under the names that models::DDModel gives them. Channels and the width of
+    /// a head are multiples of block_width. Throws Error as NamedWeights does.
+    DDNetwork(NamedWeights& weights, const DDModelTable& table, std::size_t size_px);
+
+    /// The two logits of an image of size_px * size_px floats, row by row from the top.
+    std::array<double, 2> run(std::span<const float> image);
+
+private:
+    std::vector<float> position_;  ///< first: where an image's size is a lie, nothing of that size is made
+    Stem stem_;
+    std::vector<BasicBlock> blocks_;
+    AffineLayer embedding_;
+    EncoderLayer encoder_;
+    LayerNorm norm_;
+    std::vector<float> head_weight_;
+    std::vector<float> head_bias_;
+    std::vector<double> mean_;
+};
+
+}  // namespace ddtool::native

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "network/affine_layer.hpp"
+#include "network/attention.hpp"
+#include "network/dd_tables.hpp"
+#include "network/layer_norm.hpp"
+
+namespace ddtool::native {
+
+/// One layer of a transformer encoder as models::EncoderLayer: normalisation first. Takes encoder.*.
+class EncoderLayer {
+public:
+    EncoderLayer(NamedWeights& weights, const EncoderRow& row, std::size_t tokens);
+
+    /// [tokens][width] to the same; the layer's own buffer, good until the next run.
+    const float* run(const float* in);
+
+private:
+    LayerNorm attention_norm_;
+    AffineLayer query_key_value_;
+    Attention attention_;
+    AffineLayer attention_out_;
+    LayerNorm feed_forward_norm_;
+    AffineLayer feed_forward_in_;
+    AffineLayer feed_forward_out_;
+};
+
+}  // namespace ddtool::native

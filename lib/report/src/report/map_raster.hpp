@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "ddtool/filter/occupancy_grid.hpp"
+#include "ddtool/robot/pose2.hpp"
+
+namespace ddtool {
+
+/// A map as nav_msgs/OccupancyGrid has it: what was observed and nothing around it.
+struct MapRaster {
+    static constexpr std::int8_t unknown = -1;
+    static constexpr std::int8_t free = 0;
+    static constexpr std::int8_t occupied = 100;
+
+    std::size_t width = 0;  ///< cells in x
+    std::size_t height = 0;
+    double cell_size_m = 0.05;
+    Point2 origin_m;                 ///< the lower left corner of the first cell, in the world
+    std::vector<std::int8_t> cells;  ///< row by row, from the lowest y
+
+    [[nodiscard]] double width_m() const { return static_cast<double>(width) * cell_size_m; }
+    [[nodiscard]] double height_m() const { return static_cast<double>(height) * cell_size_m; }
+};
+
+/// Never empty: one unknown cell stands for a grid in which nothing was observed, since map servers refuse less.
+MapRaster map_raster(const OccupancyGrid& grid);
+
+}  // namespace ddtool

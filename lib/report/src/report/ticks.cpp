@@ -1,0 +1,46 @@
+#include "report/ticks.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+namespace ddtool::plot {
+namespace {
+
+/// The smallest of 1, 2, 5, 10 times a power of ten that is not below the distance.
+double nice_distance(double distance) {
+    const double power = std::pow(10.0, std::floor(std::log10(distance)));
+    for (const double digit : {1.0, 2.0, 5.0}) {
+        if (digit * power >= distance * (1.0 - 1e-9)) {
+            return digit * power;
+        }
+    }
+    return 10.0 * power;
+}
+
+}  // namespace
+
+Ticks nice_ticks(double low, double high, std::size_t wanted) {
+    const double distance = nice_distance((high - low) / static_cast<double>(wanted));
+    Ticks ticks;
+    ticks.decimals = std::max(0, static_cast<int>(-std::floor(std::log10(distance) + 1e-9)));
+    const double tolerance = 1e-9;
+    const double last = std::floor(high / distance + tolerance);
+    for (double multiple = std::ceil(low / distance - tolerance); multiple <= last; multiple += 1.0) {
+        ticks.places.push_back(multiple == 0.0 ? 0.0 : multiple * distance);  // no "-0"
+    }
+    return ticks;
+}
+
+std::string tick_text(double place, int decimals) {
+    std::array<char, 64> text{};
+    if (std::abs(place) >= 1e6 || decimals > 6) {
+        std::snprintf(text.data(), text.size(), "%.3g", place);
+    } else {
+        std::snprintf(text.data(), text.size(), "%.*f", decimals, place);
+    }
+    return text.data();
+}
+
+}  // namespace ddtool::plot

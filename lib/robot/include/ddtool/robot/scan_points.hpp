@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "ddtool/robot/pose2.hpp"
+#include "ddtool/robot/sensor_stream.hpp"
+
+namespace ddtool {
+
+/// What one scan saw, as end points in the robot's frame; computed once, used by every particle. Neighbouring beams
+/// that end within spacing_m of each other are one point, at their mean. Structure of arrays, in angular order.
+struct ScanPoints {
+    Point2 origin_m;                        ///< the laser in the robot's frame
+    std::vector<float> x_m, y_m;            ///< end point
+    std::vector<float> normal_x, normal_y;  ///< unit normal of the surface seen; (1, 0) where there is none to tell
+    /// Weight of a displacement along the surface relative to one across it: 0 on a perfect line, 1 where the
+    /// neighbours form no line, so that the point counts alike in every direction.
+    std::vector<float> along_weight;
+    std::vector<std::int32_t> order;  ///< rises by one between neighbours, by more across beams without return
+
+    [[nodiscard]] std::size_t size() const { return x_m.size(); }
+};
+
+struct ScanPointsSettings {
+    double usable_range_m = 40.0;   ///< longer returns are left out: their end points are beams apart
+    double spacing_m = 0.03;        ///< nearer neighbours are merged
+    double normal_radius_m = 0.18;  ///< neighbours that define the surface normal of a point
+    /// Neighbours whose spread across is at most this share of that along form a line up to noise: it says nothing of
+    /// where along it the point is. Counting noise as shape makes a bare wall hold the robot along itself.
+    double line_flatness = 0.3;
+};
+
+ScanPoints scan_points(const SensorFrame& frame, const ScanPointsSettings& settings);
+
+}  // namespace ddtool

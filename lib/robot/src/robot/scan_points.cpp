@@ -1,0 +1,166 @@
+#include "ddtool/robot/scan_points.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ddtool {
+namespace {
+
+/// Second moments of the neighbours of a point, relative to it.
+struct Moments {
+    double count = 0.0, x = 0.0, y = 0.0, xx = 0.0, xy = 0.0, yy = 0.0;
+
+    void add(double dx, double dy) {
+        count += 1.0;
+        x += dx;
+        y += dy;
+        xx += dx * dx;
+        xy += dx * dy;
+        yy += dy * dy;
+    }
+};
+
+constexpr std::size_t most_neighbours_each_side = 12;
+/// Taken however far they are: beams along a wall far ahead are metres apart, and still show its direction.
+constexpr std::size_t least_neighbours_each_side = 2;
+constexpr double points_of_a_line = 3.0;  // those at the ends of a run have two neighbours
+
+/// Adds neighbours from `point` in steps of `step` while they are of adjacent beams.
+void add_side(const ScanPoints& points, std::size_t point, int step, double radius_m, Moments& moments) {
+    std::size_t last = point;
+    for (std::size_t taken = 0; taken < most_neighbours_each_side; ++taken) {
+        const std::size_t next = last + static_cast<std::size_t>(step);  // wraps below zero to a huge index
+        if (next >= points.size() || std::abs(points.order[next] - points.order[last]) > 2) {
+            return;
+        }
+        const double dx = static_cast<double>(points.x_m[next]) - static_cast<double>(points.x_m[point]);
+        const double dy = static_cast<double>(points.y_m[next]) - static_cast<double>(points.y_m[point]);
+        if (taken >= least_neighbours_each_side && dx * dx + dy * dy > radius_m * radius_m) {
+            return;
+        }
+        moments.add(dx, dy);
+        last = next;
+    }
+}
+
+/// Neighbours farther apart than the radius are of one surface only if they lie on a line this well.
+constexpr double far_line_residual_m = 0.04;
+
+void set_normal(ScanPoints& points, std::size_t point, const ScanPointsSettings& settings) {
+    Moments m;
+    m.add(0.0, 0.0);
+    add_side(points, point, 1, settings.normal_radius_m, m);
+    add_side(points, point, -1, settings.normal_radius_m, m);
+    if (m.count < points_of_a_line) {
+        return;
+    }
+    const double xx = m.xx / m.count - m.x * m.x / (m.count * m.count);
+    const double xy = m.xy / m.count - m.x * m.y / (m.count * m.count);
+    const double yy = m.yy / m.count - m.y * m.y / (m.count * m.count);
+    const double root = std::hypot((xx - yy) / 2.0, xy);
+    const double largest = (xx + yy) / 2.0 + root;
+    const double smallest = std::max((xx + yy) / 2.0 - root, 0.0);
+    if (std::sqrt(largest) > settings.normal_radius_m && std::sqrt(smallest) > far_line_residual_m) {
+        return;
+    }
+    const double line_angle_rad = std::atan2(2.0 * xy, xx - yy) / 2.0;
+    points.normal_x[point] = static_cast<float>(-std::sin(line_angle_rad));
+    points.normal_y[point] = static_cast<float>(std::cos(line_angle_rad));
+    const double flatness = std::sqrt(smallest / std::max(largest, 1e-12));
+    const double roughness = std::clamp((flatness - settings.line_flatness) / (1.0 - settings.line_flatness), 0.0, 1.0);
+    points.along_weight[point] = static_cast<float>(roughness * roughness);
+}
+
+/// Where the next beam of the wall ends that the beams `last` and the one before it see: along a straight wall the
+/// inverse range is linear in small angles.
+double continued_m(double before_m, double last_m) { return 1.0 / (2.0 / last_m - 1.0 / before_m); }
+
+/// Whether a beam met an edge and its range is a mixture of those before and behind it (a veiling or mixed point): it
+/// lies between its neighbours, apart from both, and on neither's wall. At the edges of recesses and doors such points
+/// float behind what is there; a map with them lets every corridor come out long.
+bool is_mixed(const std::vector<float>& ranges_m, std::size_t beam) {
+    constexpr double gap_m = 0.05;
+    constexpr double gap_per_m = 0.01;
+    if (beam < 2 || beam + 2 >= ranges_m.size()) {
+        return false;
+    }
+    const auto range_m = [&](std::size_t index) { return static_cast<double>(ranges_m[index]); };
+    if (!std::isfinite(range_m(beam - 1)) || !std::isfinite(range_m(beam + 1))) {
+        return false;
+    }
+    const double here_m = range_m(beam);
+    const double gap = gap_m + gap_per_m * here_m;
+    const auto apart = [&](double other_m) { return !(std::abs(here_m - other_m) <= gap); };
+    const bool between = (range_m(beam - 1) < here_m) == (here_m < range_m(beam + 1));
+    return between && apart(range_m(beam - 1)) && apart(range_m(beam + 1)) &&
+           apart(continued_m(range_m(beam - 2), range_m(beam - 1))) &&
+           apart(continued_m(range_m(beam + 2), range_m(beam + 1)));
+}
+
+/// Neighbouring end points on the way to becoming one.
+struct Group {
+    Point2 first;
+    Point2 sum;
+    double count = 0.0;
+
+    [[nodiscard]] bool takes(const Point2& end, double spacing_m) const {
+        return count > 0.0 && std::hypot(end.x_m - first.x_m, end.y_m - first.y_m) < spacing_m;
+    }
+    void add(const Point2& end) {
+        if (count == 0.0) {
+            first = end;
+        }
+        sum = {sum.x_m + end.x_m, sum.y_m + end.y_m};
+        count += 1.0;
+    }
+};
+
+void close_group(ScanPoints& points, Group& group, std::int32_t order) {
+    if (group.count > 0.0) {
+        points.x_m.push_back(static_cast<float>(group.sum.x_m / group.count));
+        points.y_m.push_back(static_cast<float>(group.sum.y_m / group.count));
+        points.order.push_back(order);
+    }
+    group = {};
+}
+
+void add_end_points(ScanPoints& points, const SensorFrame& frame, const ScanPointsSettings& settings) {
+    Group group;
+    std::int32_t order = 0;
+    for (std::size_t beam = 0; beam < frame.scan.ranges_m.size(); ++beam) {
+        const auto range_m = static_cast<double>(frame.scan.ranges_m[beam]);
+        if (!(range_m <= settings.usable_range_m)) {
+            close_group(points, group, order);
+            order += 2;
+            continue;
+        }
+        if (is_mixed(frame.scan.ranges_m, beam)) {
+            continue;
+        }
+        const double angle = frame.scan.angle_rad(beam);
+        const Point2 end = frame.robot_from_laser * Point2{range_m * std::cos(angle), range_m * std::sin(angle)};
+        if (!group.takes(end, settings.spacing_m)) {
+            close_group(points, group, order);
+            ++order;
+        }
+        group.add(end);
+    }
+    close_group(points, group, order);
+}
+
+}  // namespace
+
+ScanPoints scan_points(const SensorFrame& frame, const ScanPointsSettings& settings) {
+    ScanPoints points;
+    points.origin_m = {frame.robot_from_laser.x_m, frame.robot_from_laser.y_m};
+    add_end_points(points, frame, settings);
+    points.normal_x.assign(points.size(), 1.0F);
+    points.normal_y.assign(points.size(), 0.0F);
+    points.along_weight.assign(points.size(), 1.0F);
+    for (std::size_t point = 0; point < points.size(); ++point) {
+        set_normal(points, point, settings);
+    }
+    return points;
+}
+
+}  // namespace ddtool

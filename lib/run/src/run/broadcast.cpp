@@ -1,0 +1,139 @@
+#include "run/broadcast.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "ddtool/base/error.hpp"
+
+namespace ddtool {
+
+Broadcast::Broadcast(ClientLinks& links, std::string session) : links_(links), session_(std::move(session)) {}
+
+void Broadcast::publish(std::shared_ptr<const LiveMessage> message) {
+    const ChannelId channel = channel_of(*message);
+    tell_time(message->stamp_ns);
+    latest_[channel] = std::move(message);
+    for (auto& [client, wishes] : clients_) {
+        if (wishes.subscriptions.contains(channel)) {
+            owe(client, wishes, channel);
+        }
+    }
+}
+
+void Broadcast::opened(ClientId client) {
+    clients_[client];
+    links_.send_text(client, foxglove::server_info("ddtool slam", session_));
+    links_.send_text(client, foxglove::advertisement(channels_));
+    if (time_ns_) {
+        links_.send_binary(client, foxglove::time_message(*time_ns_));
+    }
+}
+
+void Broadcast::closed(ClientId client) { clients_.erase(client); }
+
+void Broadcast::received(ClientId client, const std::string& payload, bool is_text) {
+    try {
+        if (!is_text) {
+            throw Error("a binary message; expected subscribe or unsubscribe as text");
+        }
+        const foxglove::Request request = foxglove::parse_request(payload);
+        for (const foxglove::Subscription& wanted : request.subscribe) {
+            subscribe(client, wanted);
+        }
+        for (const std::uint32_t subscription : request.unsubscribe) {
+            unsubscribe(client, subscription);
+        }
+    } catch (const Error& error) {
+        complain(client, error.what());
+    }
+}
+
+void Broadcast::catch_up() {
+    for (auto& [client, wishes] : clients_) {
+        pay(client, wishes);
+    }
+}
+
+Broadcast::ChannelId Broadcast::channel_of(const LiveMessage& message) {
+    const auto known = std::find_if(channels_.begin(), channels_.end(),
+                                    [&](const foxglove::Channel& each) { return each.topic == message.topic; });
+    if (known != channels_.end()) {
+        return known->id;
+    }
+    channels_.push_back({static_cast<ChannelId>(channels_.size()), message.topic, message.type_name});
+    latest_.emplace_back();
+    for (const auto& [client, wishes] : clients_) {
+        links_.send_text(client, foxglove::advertisement({&channels_.back(), 1}));
+    }
+    return channels_.back().id;
+}
+
+bool Broadcast::has_room(ClientId client) const { return links_.unsent_bytes(client) < backlog_bytes; }
+
+void Broadcast::tell_time(std::int64_t stamp_ns) {
+    if (time_ns_ == stamp_ns) {
+        return;
+    }
+    time_ns_ = stamp_ns;
+    const std::string message = foxglove::time_message(stamp_ns);
+    for (const auto& [client, wishes] : clients_) {
+        if (has_room(client)) {
+            links_.send_binary(client, message);
+        }
+    }
+}
+
+void Broadcast::owe(ClientId client, Wishes& wishes, ChannelId channel) {
+    if (std::find(wishes.behind.begin(), wishes.behind.end(), channel) == wishes.behind.end()) {
+        wishes.behind.push_back(channel);
+    }
+    pay(client, wishes);
+}
+
+void Broadcast::pay(ClientId client, Wishes& wishes) {
+    while (!wishes.behind.empty() && has_room(client)) {
+        send_latest(client, wishes, wishes.behind.front());
+        wishes.behind.pop_front();
+    }
+}
+
+void Broadcast::send_latest(ClientId client, const Wishes& wishes, ChannelId channel) {
+    const LiveMessage& message = *latest_[channel];
+    links_.send_binary(client,
+                       foxglove::data_message(wishes.subscriptions.at(channel), message.stamp_ns, message.data));
+}
+
+void Broadcast::subscribe(ClientId client, const foxglove::Subscription& wanted) {
+    Wishes& wishes = clients_.at(client);
+    if (wanted.channel >= channels_.size()) {
+        return complain(client, "subscribe: there is no channel " + std::to_string(wanted.channel));
+    }
+    const bool id_is_used = std::any_of(wishes.subscriptions.begin(), wishes.subscriptions.end(),
+                                        [&](const auto& each) { return each.second == wanted.id; });
+    if (id_is_used || wishes.subscriptions.contains(wanted.channel)) {
+        return complain(client, "subscribe: subscription " + std::to_string(wanted.id) + " or channel " +
+                                    std::to_string(wanted.channel) + " is in use");
+    }
+    wishes.subscriptions.emplace(wanted.channel, wanted.id);
+    owe(client, wishes, wanted.channel);
+}
+
+void Broadcast::unsubscribe(ClientId client, std::uint32_t subscription) {
+    Wishes& wishes = clients_.at(client);
+    const auto found = std::find_if(wishes.subscriptions.begin(), wishes.subscriptions.end(),
+                                    [&](const auto& each) { return each.second == subscription; });
+    if (found == wishes.subscriptions.end()) {
+        return complain(client, "unsubscribe: there is no subscription " + std::to_string(subscription));
+    }
+    std::erase(wishes.behind, found->first);
+    wishes.subscriptions.erase(found);
+}
+
+/// Not to who does not read: complaints would pile up.
+void Broadcast::complain(ClientId client, const std::string& text) {
+    if (has_room(client)) {
+        links_.send_text(client, foxglove::status(foxglove::StatusLevel::error, text));
+    }
+}
+
+}  // namespace ddtool

@@ -1,0 +1,38 @@
+#include "run/live_run.hpp"
+
+#include <algorithm>
+
+namespace ddtool {
+namespace {
+
+constexpr std::chrono::seconds least_map_interval{1};
+/// Maps cost the run no more than a part of this.
+constexpr int map_time_share = 20;
+
+}  // namespace
+
+void LiveRun::add(const SensorFrame& frame, const Rbpf& filter, bool moved) {
+    if (moved) {
+        messages_.add(frame, filter);
+        add_map(frame.scan.stamp_ns, filter);
+    }
+    messages_.add_pose(frame.scan.stamp_ns, filter);
+}
+
+void LiveRun::finish(const MapRaster& map, const Trajectory& path) {
+    if (!path.empty()) {
+        messages_.add_map(path.back().stamp_ns, map, path);
+    }
+}
+
+void LiveRun::add_map(std::int64_t stamp_ns, const Rbpf& filter) {
+    const Clock::time_point start = Clock::now();
+    if (start < map_due_) {
+        return;
+    }
+    messages_.add_map(stamp_ns, map_raster(filter.best().grid), filter.trajectory());
+    const Clock::time_point end = Clock::now();
+    map_due_ = end + std::max<Clock::duration>(least_map_interval, map_time_share * (end - start));
+}
+
+}  // namespace ddtool

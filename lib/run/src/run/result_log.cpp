@@ -1,0 +1,38 @@
+#include "run/result_log.hpp"
+
+#include <algorithm>
+
+namespace ddtool {
+namespace {
+
+/// Maps are written when the run has become a tenth longer, but not more often than this.
+constexpr std::int64_t least_map_interval_ns = 10'000'000'000;
+constexpr std::int64_t map_interval_share = 10;
+
+}  // namespace
+
+void ResultLog::add(const SensorFrame& frame, const Rbpf& filter) {
+    const std::int64_t stamp_ns = frame.scan.stamp_ns;
+    messages_.add(frame, filter);
+    if (map_is_due(stamp_ns)) {
+        messages_.add_map(stamp_ns, map_raster(filter.best().grid), filter.trajectory());
+        map_written_ns_ = stamp_ns;
+    }
+    start_ns_ = start_ns_.value_or(stamp_ns);
+}
+
+void ResultLog::finish(const MapRaster& map, const Trajectory& path) {
+    messages_.add_map(path.empty() ? 0 : path.back().stamp_ns, map, path);
+}
+
+/// So the file holds a few dozen maps, however long the run.
+bool ResultLog::map_is_due(std::int64_t stamp_ns) const {
+    if (!start_ns_) {
+        return true;
+    }
+    const std::int64_t interval_ns =
+        std::max(least_map_interval_ns, (map_written_ns_ - *start_ns_) / map_interval_share);
+    return stamp_ns - map_written_ns_ >= interval_ns;
+}
+
+}  // namespace ddtool

@@ -1,0 +1,104 @@
+#include "run/run_folder.hpp"
+
+#include <utility>
+
+#include "report/map_files.hpp"
+#include "report/map_picture.hpp"
+#include "system/atomic_file.hpp"
+#include "system/folder.hpp"
+
+namespace ddtool {
+namespace {
+
+constexpr const char* result_name = "result.mcap";
+constexpr const char* snapshots_name = "snapshots.mcap";
+constexpr const char* degeneracy_name = "degeneracy.csv";
+constexpr const char* online_name = "trajectory_online.tum";
+constexpr const char* page_name = "report.html";
+
+}  // namespace
+
+RunFolder::RunFolder(std::filesystem::path folder, bool with_snapshots)
+    : folder_(made_folder(std::move(folder))),
+      result_(folder_ / result_name),
+      degeneracy_(folder_ / degeneracy_name),
+      online_(folder_ / online_name) {
+    if (with_snapshots) {
+        snapshots_.emplace(folder_ / snapshots_name);
+    }
+}
+
+void RunFolder::watch(Rbpf& filter) {
+    filter.on_snapshot([this](const ParticleSnapshot& snapshot, const Degeneracy& degeneracy) {
+        const StageTimer timer(write_s_);
+        course_.see(snapshot, degeneracy);
+        if (snapshots_) {
+            snapshots_->write(snapshot, degeneracy);
+        }
+    });
+}
+
+void RunFolder::add(const SensorFrame& frame, const Rbpf& filter, bool moved) {
+    const StageTimer timer(write_s_);
+    if (moved) {
+        result_.add(frame, filter);
+        course_.add(filter);
+        if (filter.updates() > 1) {
+            degeneracy_.add(filter.last_report());
+        }
+    }
+    result_.add_pose(frame.scan.stamp_ns, filter);
+    online_.add({frame.scan.stamp_ns, filter.pose()});
+}
+
+void RunFolder::finish(const FilterRun& run, const MapRaster& map) {
+    const StageTimer timer(write_s_);
+    result_.finish(map, run.trajectory);
+    complete_streams();
+    write_trajectory("trajectory.tum", run.trajectory);
+    write_trajectory("ground_truth.tum", run.ground_truth);
+    write_map_files(folder_, "map", map);
+    files_.insert(files_.end(), {"map.pgm", "map.yaml"});
+    write_map_picture(place("map.png"), map, run.trajectory);
+    write_degeneracy_picture(place("degeneracy.png"), course_.updates(), map, run.trajectory);
+}
+
+void RunFolder::write_json(const std::string& name, const Json& content) {
+    write_file(place(name), content.dump(2) + "\n");
+}
+
+bool RunFolder::write_page(const std::function<html::Page()>& make) {
+    const bool written = html::write_page(folder_ / page_name, make);
+    if (written) {
+        files_.emplace_back(page_name);
+    }
+    return written;
+}
+
+void RunFolder::complete_streams() {
+    result_.close();
+    degeneracy_.close();
+    online_.close();
+    files_.insert(files_.end(), {result_name, degeneracy_name, online_name});
+    if (snapshots_) {
+        snapshots_->close();
+        files_.emplace_back(snapshots_name);
+    } else {
+        std::filesystem::remove(folder_ / snapshots_name);
+    }
+}
+
+void RunFolder::write_trajectory(const std::string& name, const Trajectory& trajectory) {
+    if (trajectory.empty()) {
+        std::filesystem::remove(folder_ / name);
+    } else {
+        write_tum(place(name), trajectory);
+    }
+}
+
+std::filesystem::path RunFolder::place(const std::string& name) {
+    files_.push_back(name);
+    return folder_ / name;
+}
+
+}  // namespace ddtool

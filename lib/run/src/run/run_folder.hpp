@@ -1,0 +1,59 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ddtool/filter/filter_run.hpp"
+#include "ddtool/system/settings.hpp"
+#include "report/map_raster.hpp"
+#include "report/page.hpp"
+#include "run/degeneracy_files.hpp"
+#include "run/result_log.hpp"
+#include "run/run_course.hpp"
+#include "run/snapshot_file.hpp"
+#include "scores/tum_file.hpp"
+
+namespace ddtool {
+
+/// The files of one run of the filter (docs/formats/results.md). Each appears when it is whole; a file of an earlier
+/// run that this one does not replace is removed at the end. Every call throws Error naming the file.
+class RunFolder {
+public:
+    /// Creates the folder. snapshots.mcap is written on request only.
+    RunFolder(std::filesystem::path folder, bool with_snapshots);
+
+    /// Connects the filter; it must not outlive the folder.
+    void watch(Rbpf& filter);
+    /// After the filter has taken the frame; `moved` as Rbpf::process() says.
+    void add(const SensorFrame& frame, const Rbpf& filter, bool moved);
+    /// Writes the trajectories, the map and its picture, and completes the MCAP files.
+    void finish(const FilterRun& run, const MapRaster& map);
+    void write_json(const std::string& name, const Json& content);
+    /// report.html, as html::write_page() does.
+    bool write_page(const std::function<html::Page()>& make);
+    /// What the filter did so far, as far as pictures need it.
+    [[nodiscard]] const RunCourse& course() const { return course_; }
+
+    /// Names of the files written.
+    [[nodiscard]] const std::vector<std::string>& files() const { return files_; }
+    /// Wall time spent in here.
+    [[nodiscard]] double write_s() const { return write_s_; }
+
+private:
+    std::filesystem::path place(const std::string& name);
+    void write_trajectory(const std::string& name, const Trajectory& trajectory);
+    void complete_streams();
+
+    std::filesystem::path folder_;
+    std::vector<std::string> files_;
+    ResultLog result_;
+    std::optional<SnapshotWriter> snapshots_;
+    DegeneracyCsv degeneracy_;
+    TumStream online_;
+    RunCourse course_;
+    double write_s_ = 0.0;
+};
+
+}  // namespace ddtool

@@ -1,0 +1,121 @@
+#include "run/run_messages.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "logs/messages/ros_conversions.hpp"
+
+namespace ddtool {
+namespace {
+
+constexpr const char* map_frame = "map";
+constexpr const char* odom_frame = "odom";
+constexpr const char* robot_frame = "base_link";
+constexpr const char* laser_frame = "laser";
+
+/// Poses of the path nearer than this to the one before say nothing in a picture; nor does one among so many.
+constexpr double path_step_m = 0.1;
+constexpr double most_path_poses = 65'536.0;
+
+/// The poses that show the way, a step apart, and the last.
+Trajectory thinned(const Trajectory& path) {
+    const double step_m = std::max(path_step_m, path_length_m(path) / most_path_poses);
+    Trajectory kept;
+    for (const StampedPose& pose : path) {
+        if (kept.empty() || distance_m(kept.back().pose, pose.pose) >= step_m) {
+            kept.push_back(pose);
+        }
+    }
+    if (!kept.empty() && kept.back().stamp_ns != path.back().stamp_ns) {
+        kept.push_back(path.back());
+    }
+    return kept;
+}
+
+}  // namespace
+
+void RunMessages::add(const SensorFrame& frame, const Rbpf& filter) {
+    const std::int64_t stamp_ns = frame.scan.stamp_ns;
+    write_transforms(frame, filter.pose());
+    sink_.write("/scan", stamp_ns, ros::to_message(frame.scan, laser_frame));
+    write_particles(stamp_ns, filter.particles());
+    if (started_) {  // the first scan only starts the map
+        write_report(filter.last_report());
+    }
+    started_ = true;
+}
+
+void RunMessages::add_map(std::int64_t stamp_ns, const MapRaster& map, const Trajectory& path) {
+    write_map(stamp_ns, map);
+    write_path(stamp_ns, path);
+}
+
+void RunMessages::write_transforms(const SensorFrame& frame, const Pose2& map_from_robot) {
+    const std::int64_t stamp_ns = frame.scan.stamp_ns;
+    if (robot_from_laser_ != frame.robot_from_laser) {
+        robot_from_laser_ = frame.robot_from_laser;
+        sink_.write("/tf_static", stamp_ns,
+                    ros::transform_message(stamp_ns, robot_frame, laser_frame, frame.robot_from_laser));
+    }
+    const Pose2 map_from_odom = map_from_robot * inverse(frame.odom_from_robot);
+    // One message, so that who gets the latest of the topic has the whole way from the map to the robot.
+    ros::TFMessage way = ros::transform_message(stamp_ns, map_frame, odom_frame, map_from_odom);
+    way.transforms.push_back(
+        ros::transform_message(stamp_ns, odom_frame, robot_frame, frame.odom_from_robot).transforms.front());
+    sink_.write("/tf", stamp_ns, way);
+}
+
+void RunMessages::write_particles(std::int64_t stamp_ns, std::span<const Particle> particles) {
+    ros::PoseArray cloud{.header = {{stamp_ns}, map_frame}, .poses = {}};
+    for (const Particle& particle : particles) {
+        cloud.poses.push_back(ros::to_pose(particle.pose));
+    }
+    sink_.write("/particlecloud", stamp_ns, cloud);
+}
+
+void RunMessages::write_report(const UpdateReport& report) {
+    sink_.write("/degeneracy", report.stamp_ns,
+                ros::Degeneracy{{report.stamp_ns},
+                                report.degeneracy.degree,
+                                report.dispersion,
+                                report.swarm.major_variance_m2,
+                                report.swarm.minor_variance_m2,
+                                report.swarm.major_direction_rad,
+                                report.corrected_m,
+                                report.resampled ? 1U : 0U});
+}
+
+void RunMessages::add_pose(std::int64_t stamp_ns, const Rbpf& filter) {
+    const Eigen::Matrix3d covariance = filter.pose_covariance();
+    ros::PoseWithCovarianceStamped pose{
+        .header = {{stamp_ns}, map_frame}, .pose = ros::to_pose(filter.pose()), .covariance = {}};
+    constexpr std::array<std::size_t, 3> places{0, 1, 5};  // x, y and the turn about z among six
+    for (std::size_t row = 0; row < 3; ++row) {
+        for (std::size_t column = 0; column < 3; ++column) {
+            pose.covariance[6 * places[row] + places[column]] =
+                covariance(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(column));
+        }
+    }
+    sink_.write("/pose", stamp_ns, pose);
+}
+
+void RunMessages::write_map(std::int64_t stamp_ns, const MapRaster& map) {
+    ros::OccupancyGrid message{.header = {{stamp_ns}, map_frame},
+                               .map_load_time = {stamp_ns},
+                               .resolution = static_cast<float>(map.cell_size_m),
+                               .width = static_cast<std::uint32_t>(map.width),
+                               .height = static_cast<std::uint32_t>(map.height),
+                               .origin = ros::to_pose({map.origin_m.x_m, map.origin_m.y_m, 0.0}),
+                               .data = map.cells};
+    sink_.write("/map", stamp_ns, message);
+}
+
+void RunMessages::write_path(std::int64_t stamp_ns, const Trajectory& path) {
+    ros::Path message{.header = {{stamp_ns}, map_frame}, .poses = {}};
+    for (const StampedPose& pose : thinned(path)) {
+        message.poses.push_back(ros::pose_message(pose.stamp_ns, map_frame, pose.pose));
+    }
+    sink_.write("/path", stamp_ns, message);
+}
+
+}  // namespace ddtool

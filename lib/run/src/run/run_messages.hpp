@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "ddtool/filter/rbpf.hpp"
+#include "ddtool/robot/sensor_stream.hpp"
+#include "ddtool/robot/trajectory.hpp"
+#include "logs/messages/ros2_sink.hpp"
+#include "report/map_raster.hpp"
+
+namespace ddtool {
+
+/// What a run tells Foxglove and RViz, as ROS 2 messages (docs/formats/results.md): the scans the filter used, its
+/// particles and its degree, the transforms map -> odom -> base_link -> laser, and the map and the path when asked.
+class RunMessages {
+public:
+    explicit RunMessages(Ros2Sink& sink) : sink_(sink) {}
+
+    /// After the frame has moved the filter.
+    void add(const SensorFrame& frame, const Rbpf& filter);
+    /// After the filter has taken any frame.
+    void add_pose(std::int64_t stamp_ns, const Rbpf& filter);
+    /// The map and the path as they are now.
+    void add_map(std::int64_t stamp_ns, const MapRaster& map, const Trajectory& path);
+
+private:
+    void write_transforms(const SensorFrame& frame, const Pose2& map_from_robot);
+    void write_report(const UpdateReport& report);
+    void write_particles(std::int64_t stamp_ns, std::span<const Particle> particles);
+    void write_map(std::int64_t stamp_ns, const MapRaster& map);
+    void write_path(std::int64_t stamp_ns, const Trajectory& path);
+
+    Ros2Sink& sink_;
+    std::optional<Pose2> robot_from_laser_;  ///< as last written
+    bool started_ = false;
+};
+
+}  // namespace ddtool

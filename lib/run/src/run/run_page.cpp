@@ -1,0 +1,121 @@
+#include "run/run_page.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "base/text.hpp"
+#include "ddtool/network/particle_renderer.hpp"
+#include "ddtool/swarm/swarm_shape.hpp"
+#include "run/run_explorer.hpp"
+#include "scores/trajectory_score.hpp"
+#include "swarm/weights.hpp"
+#include "system/png_file.hpp"
+
+namespace ddtool {
+namespace {
+
+std::vector<html::Fact> facts_of(const Json& report) {
+    const Json& run = report.at("run");
+    const Json& map = run.at("map");
+    const Json& cost = report.at("cost");
+    const auto length = [](const Json& number, int decimals) {
+        return fixed_text(number.get<double>(), decimals) + " m";
+    };
+    std::vector<html::Fact> facts{{"scans", run.at("scans").dump()},
+                                  {"duration", fixed_text(run.at("duration_s"), 1) + " s"},
+                                  {"path", length(run.at("path_m"), 1)},
+                                  {"map", fixed_text(map.at("width_m"), 1) + " x " + length(map.at("height_m"), 1)},
+                                  {"filter updates", run.at("updates").dump()},
+                                  {"resamplings", run.at("resamplings").dump()},
+                                  {"wall time", fixed_text(cost.at("wall_s"), 1) + " s"},
+                                  {"memory", fixed_text(1e-6 * cost.at("peak_memory_bytes").get<double>(), 0) + " MB"}};
+    if (run.contains("step_ms") && !run.at("step_ms").is_null()) {
+        facts.push_back({"step, 99 % below", fixed_text(run.at("step_ms").at("p99"), 1) + " ms"});
+    }
+    if (run.contains("errors")) {
+        facts.insert(facts.begin(), {"ATE (rmse)", length(run.at("errors").at("ate_m").at("rmse"), 3)});
+    }
+    return facts;
+}
+
+/// The explorer's row that is nearest in time.
+std::size_t row_at(std::int64_t stamp_ns, const RunCourse& course, const std::vector<std::size_t>& updates) {
+    const auto apart_ns = [&](std::size_t update) { return std::abs(course.updates()[update].stamp_ns - stamp_ns); };
+    const auto nearest = std::min_element(updates.begin(), updates.end(),
+                                          [&](std::size_t a, std::size_t b) { return apart_ns(a) < apart_ns(b); });
+    return static_cast<std::size_t>(nearest - updates.begin());
+}
+
+std::string caption_of(const WorstMoments::Moment& moment) {
+    const std::vector<SnapshotParticle>& particles = moment.swarm.particles;
+    const SwarmShape shape = swarm_shape(particles, &SnapshotParticle::pose);
+    return "effective sample size " + fixed_text(effective_sample_size(weights_of(particles)), 1) + " of " +
+           std::to_string(particles.size()) + ", spread " + fixed_text(std::sqrt(shape.major_variance_m2), 3) + " x " +
+           fixed_text(std::sqrt(shape.minor_variance_m2), 3) + " m";
+}
+
+html::Moment shown(const WorstMoments::Moment& moment, ParticleRenderer& renderer, std::size_t row, double time_s) {
+    ParticleImage image;
+    renderer.render(moment.swarm.particles, image);
+    const std::string png =
+        png_bytes({.width_px = image.size_px, .height_px = image.size_px, .channels = 1, .pixels = image.pixels});
+    return {{"degree " + fixed_text(moment.degree, 3) + " at " + fixed_text(time_s, 1) + " s", png, caption_of(moment)},
+            row};
+}
+
+void add_worst_moments(html::Page& page, const RunCourse& course, const RunExplorer& explorer,
+                       const ImageSettings& image) {
+    page.section("Worst moments");
+    const std::vector<WorstMoments::Moment> worst = course.worst().ranked();
+    if (worst.empty()) {
+        page.text("No degree above 0: the method has no detector, or it saw nothing degenerate.");
+        return;
+    }
+    page.text("The highest degrees, a few seconds apart at least. The particles as a network sees them: the image \"" +
+              Json(image.swarm).get<std::string>() + "\".");
+    ParticleRenderer renderer(image);
+    std::vector<html::Moment> moments;
+    for (const WorstMoments::Moment& moment : worst) {
+        const std::size_t row = row_at(moment.swarm.stamp_ns, course, explorer.updates);
+        moments.push_back(shown(moment, renderer, row, explorer.data.at("x").at("values").at(row)));
+    }
+    page.moments(moments);
+}
+
+Table stage_table(const Json& stages) {
+    Table table({{"stage"}, {"wall time [s]"}});
+    for (const auto& [name, seconds] : stages.items()) {
+        table.add_row({name.substr(0, name.rfind("_s")), seconds.get<double>()});
+    }
+    return table;
+}
+
+}  // namespace
+
+html::Page run_page(const Json& report, const std::vector<std::string>& warnings, const FilterRun& run,
+                    const MapRaster& map, const RunCourse& course, const ImageSettings& image) {
+    const std::string file = report.at("log").at("file");
+    const RunExplorer explorer = run_explorer(run, map, course);
+    html::Page page("ddtool slam", std::filesystem::path(file).filename().string());
+    page.warnings(warnings).facts(facts_of(report));
+    page.section("Map and time lines")
+        .text(
+            "Point at the path or at a line to see what was so there; click a line to bring its place into view. The "
+            "marks at the bottom of the effective sample size are resamplings.")
+        .explorer(explorer.data);
+    add_worst_moments(page, course, explorer, image);
+    if (!run.ground_truth.empty()) {
+        page.section("Errors against the ground truth")
+            .text("The path is aligned with the truth first (SE(2)).")
+            .table(score_table(score_against(run.trajectory, run.ground_truth)));
+    }
+    page.section("Where the time went").table(stage_table(report.at("run").at("stages")));
+    page.section("Settings and versions")
+        .values("Settings", report.at("settings"))
+        .values("Log", report.at("log"))
+        .values("Versions", report.at("versions"));
+    return page;
+}
+
+}  // namespace ddtool

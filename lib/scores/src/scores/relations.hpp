@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+#include "scores/association.hpp"
+#include "scores/error_statistics.hpp"
+
+namespace ddtool {
+
+/// A true motion between two moments, checked by hand (Kuemmerle et al. 2009, "On measuring the accuracy of SLAM
+/// algorithms").
+struct Relation {
+    std::int64_t from_ns = 0;
+    std::int64_t to_ns = 0;
+    Pose2 motion;  ///< the pose at to_ns seen from the one at from_ns
+};
+
+/// Reads "time1_s time2_s x_m y_m z_m roll_rad pitch_rad yaw_rad" a line; '#' begins a comment. x, y and yaw are kept.
+/// Throws Error naming the file, the line and what was expected.
+std::vector<Relation> read_relations(const std::filesystem::path& path);
+
+struct RelationErrors {
+    std::vector<std::int64_t> from_ns;  ///< of the relations scored, in their order
+    std::vector<double> errors_m;       ///< one a relation scored
+    std::vector<double> errors_deg;
+    ErrorStatistics translation_m;
+    ErrorStatistics rotation_deg;
+    std::size_t skipped = 0;  ///< relations one of whose times is not in the trajectory
+};
+
+/// Error of each relation: with x_i, x_j the trajectory's poses at its times and d the true motion, the pose
+/// inverse(inverse(x_i) * x_j) * d; length and absolute angle are averaged apart (Kuemmerle et al., eq. 4 and 5).
+/// A time stands for the pose nearest to it within max_time_difference_s.
+RelationErrors score_relations(const Trajectory& trajectory, const std::vector<Relation>& relations,
+                               double max_time_difference_s = default_max_time_difference_s);
+
+}  // namespace ddtool

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "report/figure.hpp"
+#include "scores/absolute_error.hpp"
+
+namespace ddtool::plot {
+
+/// The aligned estimate coloured by its distance from the reference, the reference as a thin black line on it, and
+/// below the distance over time.
+Figure error_figure(const AteResult& result);
+
+}  // namespace ddtool::plot

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "ddtool/robot/sensor_stream.hpp"
+#include "sim/simulation.hpp"
+
+namespace ddtool::sim {
+
+/// A simulation as the filter sees it, without a file between.
+class SimulatedStream : public SensorStream {
+public:
+    SimulatedStream(const World& world, const SimulationSettings& settings) : simulation_(world, settings) {}
+
+    std::optional<SensorFrame> next() override;
+    [[nodiscard]] double fraction_read() const override;
+
+    [[nodiscard]] const Simulation& simulation() const { return simulation_; }
+
+private:
+    Simulation simulation_;
+    std::size_t next_ = 0;
+};
+
+}  // namespace ddtool::sim

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+
+#include "ddtool/robot/sensor_stream.hpp"
+#include "ddtool/robot/trajectory.hpp"
+#include "sim/drive.hpp"
+#include "sim/lidar.hpp"
+#include "sim/ray_caster.hpp"
+#include "sim/wheel_odometry.hpp"
+#include "sim/world.hpp"
+
+namespace ddtool::sim {
+
+struct SimulationSettings {
+    std::uint64_t seed = 1;
+    std::int64_t start_ns = 1'700'000'000'000'000'000;  ///< stamp of the first pose
+    Pose2 robot_from_laser;
+    LidarSettings lidar;
+    OdometrySettings odometry;
+    DriveSettings drive;
+};
+
+struct SimulatedFrame {
+    SensorFrame frame;  ///< with the true pose
+    /// Of the scan without noise or motion distortion at the true pose; see fisher_information.hpp.
+    Eigen::Matrix3d fisher_information = Eigen::Matrix3d::Zero();
+};
+
+/// A drive through a world: the true way and the odometry are worked out at once, each scan when it is asked for.
+/// Chance is drawn from a stream per (seed, purpose, scan or step), so frames may be asked for in any order and from
+/// many threads and are the same bytes.
+class Simulation {
+public:
+    Simulation(const World& world, const SimulationSettings& settings);
+
+    [[nodiscard]] const SimulationSettings& settings() const { return settings_; }
+    /// world_from_robot, every 10 ms.
+    [[nodiscard]] const Trajectory& truth() const { return truth_; }
+    /// odom_from_robot at the odometry's rate; the odom frame is the robot's at the start.
+    [[nodiscard]] const Trajectory& odometry() const { return odometry_; }
+    [[nodiscard]] std::size_t frame_count() const { return frame_count_; }
+    /// When the frame is taken.
+    [[nodiscard]] std::int64_t stamp_ns(std::size_t index) const;
+    [[nodiscard]] SimulatedFrame frame(std::size_t index) const;
+
+private:
+    [[nodiscard]] std::vector<Pose2> laser_poses(const LaserScan& scan) const;
+
+    SimulationSettings settings_;
+    RayCaster caster_;
+    Trajectory truth_;
+    Trajectory odometry_;
+    std::size_t frame_count_ = 0;
+};
+
+}  // namespace ddtool::sim

@@ -1,0 +1,91 @@
+#include "sim/simulation_log.hpp"
+
+#include "logs/messages/ros_conversions.hpp"
+#include "logs/stream/ros2_writer.hpp"
+
+namespace ddtool::sim {
+namespace {
+
+constexpr const char* map_frame = "map";
+constexpr const char* odom_frame = "odom";
+constexpr const char* robot_frame = "base_link";
+constexpr const char* laser_frame = "laser";
+
+ros::Float64MultiArray matrix_message(const Eigen::Matrix3d& matrix) {
+    ros::Float64MultiArray message;
+    message.dimensions = {{"row", 3, 9}, {"column", 3, 3}};
+    for (Eigen::Index row = 0; row < 3; ++row) {
+        for (Eigen::Index column = 0; column < 3; ++column) {
+            message.data.push_back(matrix(row, column));
+        }
+    }
+    return message;
+}
+
+class SimulationLog {
+public:
+    SimulationLog(const Simulation& simulation, const std::filesystem::path& file)
+        : odometry_(simulation.odometry()), writer_(file) {
+        const std::int64_t start_ns = simulation.settings().start_ns;
+        writer_.write(
+            "/tf_static", start_ns,
+            ros::transform_message(start_ns, robot_frame, laser_frame, simulation.settings().robot_from_laser));
+    }
+
+    void write(const SimulatedFrame& simulated) {
+        const SensorFrame& frame = simulated.frame;
+        const std::int64_t stamp_ns = frame.scan.stamp_ns;
+        write_odometry_until(stamp_ns);
+        writer_.write("/scan", stamp_ns, ros::to_message(frame.scan, laser_frame));
+        writer_.write("/ground_truth", stamp_ns,
+                      ros::odometry_message(stamp_ns, map_frame, robot_frame, *frame.world_from_robot));
+        writer_.write("/fisher_information", stamp_ns, matrix_message(simulated.fisher_information));
+    }
+
+    void close() {
+        write_odometry_until(odometry_.back().stamp_ns);
+        writer_.close();
+    }
+
+private:
+    void write_odometry_until(std::int64_t stamp_ns) {
+        for (; next_ < odometry_.size() && odometry_[next_].stamp_ns <= stamp_ns; ++next_) {
+            const StampedPose& stamped = odometry_[next_];
+            writer_.write("/odom", stamped.stamp_ns, odometry_message(next_));
+            writer_.write("/tf", stamped.stamp_ns,
+                          ros::transform_message(stamped.stamp_ns, odom_frame, robot_frame, stamped.pose));
+        }
+    }
+
+    /// With the mean velocity since the message before.
+    [[nodiscard]] ros::Odometry odometry_message(std::size_t index) const {
+        const StampedPose& now = odometry_[index];
+        ros::Odometry message = ros::odometry_message(now.stamp_ns, odom_frame, robot_frame, now.pose);
+        if (index > 0) {
+            const StampedPose& before = odometry_[index - 1];
+            const Pose2 motion = between(before.pose, now.pose);
+            const double duration_s = 1e-9 * static_cast<double>(now.stamp_ns - before.stamp_ns);
+            message.linear_velocity.x = motion.x_m / duration_s;
+            message.angular_velocity.z = motion.theta_rad / duration_s;
+        }
+        return message;
+    }
+
+    const Trajectory& odometry_;
+    Ros2Writer writer_;
+    std::size_t next_ = 0;
+};
+
+}  // namespace
+
+void write_simulation_log(const Simulation& simulation, const std::filesystem::path& file,
+                          const std::function<void(std::size_t)>& on_scan) {
+    SimulationLog log(simulation, file);
+    for (std::size_t index = 0; index < simulation.frame_count(); ++index) {
+        log.write(simulation.frame(index));
+        on_scan(index + 1);
+    }
+    log.close();
+}
+
+}  // namespace ddtool::sim

@@ -1,0 +1,84 @@
+#include "study/ablation/plan.hpp"
+
+#include <algorithm>
+
+#include "ddtool/base/error.hpp"
+
+namespace ddtool::ablation {
+namespace {
+
+/// Every setting of a training but the seed.
+Json default_training() {
+    const learning::TrainSettings defaults;  // a temporary makes GCC 12 warn of one that is not initialised
+    Json json = defaults;
+    json.erase("seed");
+    return json;
+}
+
+/// NaN for null, which is a dash in the paper's table.
+double figure(const Json& json, const std::string& where) {
+    if (!json.is_null() && !json.is_number()) {
+        throw UsageError(where + ": expected a number or null, not " + json.dump());
+    }
+    return json.is_null() ? not_printed : json.get<double>();
+}
+
+Row row_from(const Json& item, const Json& common, const std::string& where) {
+    Json known{{"name", ""}, {"train", common}, {"paper", {{"accuracy", nullptr}, {"f1", nullptr}}}};
+    merge_settings(known, item, where);
+    known["train"]["seed"] = 0U;
+    Row row{known.at("name"), known.at("train").get<learning::TrainSettings>(),
+            figure(known.at("paper").at("accuracy"), where + ".paper.accuracy"),
+            figure(known.at("paper").at("f1"), where + ".paper.f1")};
+    if (row.name.empty()) {
+        throw UsageError(where + ".name: expected a name");
+    }
+    try {
+        learning::expect_valid(row.settings);
+    } catch (const UsageError& error) {
+        throw UsageError(where + ".train." + error.what());
+    }
+    return row;
+}
+
+Timing timing_from(const Json& item, const std::vector<Row>& rows, const std::string& where) {
+    const Timing defaults;
+    Json known{{"row", ""}, {"device", defaults.device}, {"image_file", defaults.image_file}, {"paper_ms", nullptr}};
+    merge_settings(known, item, where);
+    Timing timing{known.at("row"), known.at("device"), known.at("image_file"),
+                  figure(known.at("paper_ms"), where + ".paper_ms")};
+    if (std::none_of(rows.begin(), rows.end(), [&](const Row& row) { return row.name == timing.row; })) {
+        throw UsageError(where + ".row: expected the name of a row, not '" + timing.row + "'");
+    }
+    return timing;
+}
+
+std::string place(const std::string& list, std::size_t index) { return list + "[" + std::to_string(index) + "]"; }
+
+}  // namespace
+
+Json default_plan_json() {
+    return {{"seeds", {1U, 2U, 3U}},
+            {"train", default_training()},
+            {"rows", Json::array()},
+            {"timings", Json::array()},
+            {"timed_samples", 200U}};
+}
+
+Plan plan_from_json(const Json& json) {
+    Plan plan;
+    plan.seeds = json.at("seeds").get<std::vector<std::uint64_t>>();
+    plan.timed_samples = json.at("timed_samples");
+    for (const Json& item : json.at("rows")) {
+        plan.rows.push_back(row_from(item, json.at("train"), place("rows", plan.rows.size())));
+    }
+    for (const Json& item : json.at("timings")) {
+        plan.timings.push_back(timing_from(item, plan.rows, place("timings", plan.timings.size())));
+    }
+    if (plan.seeds.empty() || plan.rows.empty() || plan.timed_samples == 0) {
+        throw UsageError("ablation: expected one or more seeds, rows and timed_samples");
+    }
+    return plan;
+}
+
+}  // namespace ddtool::ablation

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "ddtool/system/settings.hpp"
+#include "train/train_settings.hpp"
+
+namespace ddtool::ablation {
+
+inline constexpr double not_printed = std::numeric_limits<double>::quiet_NaN();
+
+/// A row of the table: a training, and what the paper prints for it.
+struct Row {
+    std::string name;
+    learning::TrainSettings settings;  ///< but for the seed
+    double paper_accuracy = not_printed;
+    double paper_f1 = not_printed;
+};
+
+/// A way to run the network of a row, one image at a time.
+struct Timing {
+    std::string row;  ///< its name
+    std::string device = "cpu";
+    bool image_file = false;  ///< hand the image over through a PNG file, not in memory
+    double paper_ms = not_printed;
+};
+
+struct Plan {
+    std::vector<std::uint64_t> seeds;
+    std::vector<Row> rows;
+    std::vector<Timing> timings;
+    std::size_t timed_samples = 0;  ///< snapshots a timing takes its median of
+};
+
+/// The keys of a plan with their defaults: docs/evaluation.md explains them.
+Json default_plan_json();
+
+/// Throws UsageError naming the item and the key for a value that makes no sense.
+Plan plan_from_json(const Json& json);
+
+}  // namespace ddtool::ablation

@@ -1,0 +1,110 @@
+#include "study/compare/experiment.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include "base/pattern.hpp"
+#include "ddtool/base/error.hpp"
+#include "methods/settings_json.hpp"
+#include "sim/simulation_json.hpp"
+#include "system/fingerprint.hpp"
+#include "system/seed_range.hpp"
+
+namespace ddtool::compare {
+namespace {
+
+/// Raised when results of before can no longer be compared with new ones.
+constexpr int format = 1;
+
+template <typename Entry, typename... Context>
+std::vector<Entry> entries_from(const Json& settings, const std::string& list, const std::string& common,
+                                const Context&... context) {
+    std::vector<Entry> entries;
+    std::set<std::string> names;
+    for (const Json& item : settings.at(list)) {
+        const std::string where = list + "[" + std::to_string(entries.size()) + "]";
+        entries.emplace_back(item, settings.at(common), where, context...);
+        if (!names.insert(file_name_of(entries.back().name())).second) {
+            throw UsageError(where + ": the name '" + entries.back().name() + "' was given before");
+        }
+    }
+    if (entries.empty()) {
+        throw UsageError(list + ": expected one or more");
+    }
+    return entries;
+}
+
+std::size_t baseline_from(const std::string& name, const std::vector<MethodEntry>& methods) {
+    std::vector<std::string> names;
+    for (const MethodEntry& method : methods) {
+        if (name.empty() || method.name() == name) {
+            return names.size();
+        }
+        names.push_back(method.name());
+    }
+    throw UsageError("baseline: unknown method '" + name + "'; did you mean: " + joined(nearest_words(name, names)) +
+                     "?");
+}
+
+AteOptions score_from(const Json& json) {
+    const AteOptions options{.alignment = parse_alignment(json.at("align").get<std::string>()),
+                             .max_time_difference_s = json.at("max_time_difference_s")};
+    if (!(options.max_time_difference_s >= 0.0)) {
+        throw UsageError("score.max_time_difference_s: expected a number of seconds, 0 or more");
+    }
+    return options;
+}
+
+/// As it goes into the configuration of a cell.
+Json score_identity(const AteOptions& options) {
+    return {{"align", static_cast<int>(options.alignment)}, {"max_time_difference_s", options.max_time_difference_s}};
+}
+
+}  // namespace
+
+Json default_experiment_json() {
+    return {{"worlds", Json::array()},
+            {"methods", Json::array()},
+            {"baseline", ""},
+            {"seeds", {{"first", 1U}, {"count", 10U}}},
+            {"simulation", sim::common_simulation_json()},
+            {"filter", common_filter_json()},
+            {"score", {{"align", "se2"}, {"max_time_difference_s", default_max_time_difference_s}}}};
+}
+
+Experiment experiment_from_json(const Json& settings, const DetectorTable& detectors) {
+    Experiment experiment{.worlds = entries_from<WorldEntry>(settings, "worlds", "simulation"),
+                          .methods = entries_from<MethodEntry>(settings, "methods", "filter", detectors),
+                          .seeds = seeds_from_json(settings.at("seeds"), "seeds"),
+                          .score = score_from(settings.at("score"))};
+    experiment.baseline = baseline_from(settings.at("baseline").get<std::string>(), experiment.methods);
+    return experiment;
+}
+
+std::vector<Cell> cells_of(const Experiment& experiment) {
+    std::vector<Cell> cells;
+    for (std::size_t seed = 0; seed < experiment.seeds.size(); ++seed) {
+        for (std::size_t world = 0; world < experiment.worlds.size(); ++world) {
+            const WorldEntry& entry = experiment.worlds[world];
+            const auto data = std::make_shared<const DataSource>(entry.data(experiment.seeds[seed]));
+            const std::string data_id = Fingerprint().add(data->identity.dump()).hex();
+            for (std::size_t method = 0; method < experiment.methods.size(); ++method) {
+                const Json identity = experiment.methods[method].identity(entry.name(), experiment.seeds[seed]);
+                const Json configuration{{"format", format},
+                                         {"data", data->identity},
+                                         {"method", identity},
+                                         {"score", score_identity(experiment.score)}};
+                const std::string id = Fingerprint().add(configuration.dump()).hex();
+                cells.push_back({world, method, seed, data, configuration, id, data_id});
+            }
+        }
+    }
+    return cells;
+}
+
+std::string title_of(const Experiment& experiment, const Cell& cell) {
+    return experiment.worlds[cell.world].name() + " / " + experiment.methods[cell.method].name() + " / seed " +
+           std::to_string(experiment.seeds[cell.seed]);
+}
+
+}  // namespace ddtool::compare

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "ddtool/base/random.hpp"
+#include "sim/wheel_odometry.hpp"
+#include "study/compare/method.hpp"
+
+namespace ddtool::compare {
+
+/// How well a run could be known afterwards by somebody who knows the walls: a bound for every SLAM on the same data,
+/// to say how much of an error is the world's and the odometry's. Of simulated worlds only.
+///
+/// Each scan measures the true pose with exactly the information that there is in it (sim/fisher_information.hpp), as
+/// one normal draw; the odometry, as it was logged, has the noise it was simulated with, and a scale and gyro bias that
+/// are unknown and constant. Both are joined by a Rauch-Tung-Striebel smoother over (x, y, theta, scale, bias),
+/// linearised at its own estimates (Rauch, Tung, Striebel 1965, "Maximum likelihood estimates of linear dynamic
+/// systems").
+class KnownMapMethod : public Method {
+public:
+    KnownMapMethod(const sim::OdometrySettings& odometry, std::uint64_t seed);
+    /// Throws Error for a frame without truth or Fisher information.
+    void process(const SensorFrame& frame) override;
+    Trajectory trajectory() override;
+
+private:
+    using Vector5 = Eigen::Matrix<double, 5, 1>;
+    using Matrix5 = Eigen::Matrix<double, 5, 5>;
+    struct Step {
+        std::int64_t stamp_ns = 0;
+        Vector5 predicted, filtered;
+        Matrix5 predicted_covariance, covariance;
+        Matrix5 transition;  ///< from the step before
+    };
+
+    void predict(const Pose2& motion, double duration_s, Step& step) const;
+    void correct(const SensorFrame& frame, Step& step);
+
+    sim::OdometrySettings odometry_;
+    RandomStream random_;
+    Pose2 odom_from_robot_;
+    std::vector<Step> steps_;
+};
+
+}  // namespace ddtool::compare

@@ -1,0 +1,141 @@
+#include "study/compare/report.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "report/page.hpp"
+#include "study/compare/result_tables.hpp"
+#include "system/atomic_file.hpp"
+
+namespace ddtool::compare {
+namespace {
+
+std::string failures_heading(const std::vector<CellResult>& results) {
+    const auto failed =
+        std::count_if(results.begin(), results.end(), [](const CellResult& result) { return !result.failure.empty(); });
+    return std::to_string(failed) + " of " + std::to_string(results.size()) + " runs failed";
+}
+
+std::set<std::string> programs_of(const std::vector<CellResult>& results) {
+    std::set<std::string> programs;
+    for (const CellResult& result : results) {
+        if (result.failure.empty()) {
+            programs.insert(result.program);
+        }
+    }
+    return programs;
+}
+
+std::string how_to_read(const Experiment& experiment) {
+    return "Median over " + std::to_string(experiment.seeds.size()) +
+           " seeds [quartiles]; a run that failed counts as an infinite error. * differs from " +
+           experiment.methods[experiment.baseline].name() +
+           ": Wilcoxon's signed-rank test, paired over seeds, exact, two-sided, below 0.05 after Holm's correction "
+           "over all tests of the same error.";
+}
+
+/// Says so when the experiment is too small to show anything at all.
+std::string power_note(const Experiment& experiment) {
+    const std::size_t tests = experiment.worlds.size() * (experiment.methods.size() - 1);
+    const auto seeds = static_cast<double>(experiment.seeds.size());
+    const double least_p = static_cast<double>(tests) * std::exp2(1.0 - seeds);
+    if (tests == 0 || least_p < 0.05) {
+        return "";
+    }
+    const auto needed = static_cast<std::size_t>(std::floor(std::log2(static_cast<double>(tests) / 0.05)) + 2.0);
+    return "No difference can reach 0.05 here: too few seeds for the number of tests (" + std::to_string(tests) +
+           "); " + std::to_string(needed) + " are the fewest.";
+}
+
+/// A part of the report, whatever it is written in.
+struct Section {
+    std::string heading;
+    std::vector<Table> tables;
+    std::vector<std::string> notes;
+    std::vector<Picture> pictures;
+};
+
+std::vector<Section> sections_of(const Experiment& experiment, const std::vector<Cell>& cells,
+                                 const std::vector<CellResult>& results, const std::vector<Picture>& pictures) {
+    const std::vector<Summary> summaries = summaries_of(experiment, cells, results);
+    std::vector<Section> sections{
+        {"Overview", {overview_table(experiment, summaries)}, {how_to_read(experiment), power_note(experiment)}, {}}};
+    const Table failures = failure_table(experiment, cells, results);
+    if (!failures.empty()) {
+        sections.push_back({failures_heading(results), {failures}, {}, {}});
+    }
+    for (std::size_t metric = 0; metric < all_metrics().size(); ++metric) {
+        const auto is_of = [&](const Summary& summary) { return summary.metric == metric; };
+        if (std::any_of(summaries.begin(), summaries.end(), is_of)) {
+            const Metric& about = all_metrics()[metric];
+            sections.push_back(
+                {about.name + " [" + about.unit + "]", {metric_table(experiment, summaries, metric)}, {}, {}});
+        }
+    }
+    if (!pictures.empty()) {
+        sections.push_back({"Pictures", {}, {"Of each world the run of the median seed."}, pictures});
+    }
+    return sections;
+}
+
+std::string markdown(const std::vector<Section>& sections, const std::string& programs) {
+    std::string text = "# Results\n";
+    for (const Section& section : sections) {
+        text += "\n## " + section.heading + "\n";
+        for (const Table& table : section.tables) {
+            text += "\n" + table.markdown();
+        }
+        for (const std::string& note : section.notes) {
+            text += note.empty() ? "" : "\n" + note + "\n";
+        }
+        for (const Picture& picture : section.pictures) {
+            text += "\n![" + picture.title + "](" + picture.file + ")\n";
+        }
+    }
+    return text + "\n" + programs + "\n";
+}
+
+html::Page page(const std::filesystem::path& folder, const std::vector<Section>& sections,
+                const std::string& programs) {
+    html::Page page("ddtool compare", html::name_of(folder));
+    for (const Section& section : sections) {
+        page.section(section.heading);
+        for (const Table& table : section.tables) {
+            page.table(table);
+        }
+        for (const std::string& note : section.notes) {
+            page.text(note);
+        }
+        std::vector<html::Picture> pictures;
+        for (const Picture& picture : section.pictures) {
+            pictures.push_back(html::picture_of_file(picture.title, folder / picture.file));
+        }
+        page.pictures(pictures);
+    }
+    page.text(programs);
+    return page;
+}
+
+}  // namespace
+
+Json report_json(const Experiment& experiment, const std::vector<Cell>& cells, const std::vector<CellResult>& results) {
+    return {{"baseline", experiment.methods[experiment.baseline].name()},
+            {"seeds", experiment.seeds},
+            {"rows", full_table(experiment, summaries_of(experiment, cells, results)).json()},
+            {"failures", failure_table(experiment, cells, results).json()},
+            {"programs", programs_of(results)}};
+}
+
+bool write_report(const std::filesystem::path& folder, const Experiment& experiment, const std::vector<Cell>& cells,
+                  const std::vector<CellResult>& results, const std::vector<Picture>& pictures) {
+    const std::vector<Section> sections = sections_of(experiment, cells, results, pictures);
+    const std::set<std::string> programs = programs_of(results);
+    const std::string computed_by = "Computed by " + joined({programs.begin(), programs.end()}) + ".";
+    write_file(folder / "results.md", markdown(sections, computed_by));
+    write_file(folder / "results.csv", full_table(experiment, summaries_of(experiment, cells, results)).csv());
+    write_file(folder / "results.json", report_json(experiment, cells, results).dump(2) + "\n");
+    return html::write_page(folder / "report.html", [&] { return page(folder, sections, computed_by); });
+}
+
+}  // namespace ddtool::compare

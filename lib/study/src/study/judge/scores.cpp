@@ -1,0 +1,28 @@
+#include "study/judge/scores.hpp"
+
+#include <algorithm>
+
+#include "system/progress.hpp"
+
+namespace ddtool::detection {
+
+std::vector<double> scores_of(const dataset::Dataset& data, const std::vector<std::size_t>& samples,
+                              const SwarmScorer& scorer, const std::string& what) {
+    constexpr std::size_t piece = 256;  // swarms between two looks at the clock
+    Progress progress(what, "samples");
+    std::vector<double> scores;
+    std::vector<Particles> swarms;
+    while (scores.size() < samples.size()) {
+        swarms.clear();
+        const std::size_t end = std::min(samples.size(), scores.size() + piece);
+        for (std::size_t place = scores.size(); place < end; ++place) {
+            swarms.push_back(data.particles(samples[place]));
+        }
+        const std::vector<double> scored = scorer(swarms);
+        scores.insert(scores.end(), scored.begin(), scored.end());
+        progress.update(static_cast<double>(end) / static_cast<double>(samples.size()), end);
+    }
+    return scores;
+}
+
+}  // namespace ddtool::detection

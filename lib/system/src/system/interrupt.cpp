@@ -1,0 +1,42 @@
+#include "system/interrupt.hpp"
+
+#include <atomic>
+#include <chrono>
+#include <csignal>
+#include <thread>
+
+namespace ddtool {
+namespace {
+
+// Any thread may ask while the signal is handled in another, hence no std::sig_atomic_t.
+std::atomic<bool> requested = false;
+static_assert(std::atomic<bool>::is_always_lock_free, "else a signal handler must not write it");
+
+void request(int signal) {
+    requested = true;
+    std::signal(signal, SIG_DFL);
+}
+
+void set_handlers(void (*handler)(int)) {
+    std::signal(SIGINT, handler);
+    std::signal(SIGTERM, handler);
+}
+
+}  // namespace
+
+InterruptRequest::InterruptRequest() {
+    requested = false;
+    set_handlers(request);
+}
+
+InterruptRequest::~InterruptRequest() { set_handlers(SIG_DFL); }
+
+bool InterruptRequest::made() const { return requested; }
+
+void InterruptRequest::wait() const {
+    while (!made()) {  // a signal handler may wake no thread
+        std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    }
+}
+
+}  // namespace ddtool

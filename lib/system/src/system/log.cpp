@@ -1,0 +1,72 @@
+#include "system/log.hpp"
+
+#include <spdlog/sinks/stdout_color_sinks.h>
+#include <spdlog/spdlog.h>
+#include <unistd.h>
+
+#include <array>
+#include <cstdlib>
+#include <memory>
+#include <utility>
+
+#include "ddtool/base/error.hpp"
+
+namespace ddtool {
+namespace {
+
+constexpr std::array<std::pair<const char*, LogLevel>, 4> level_names{
+    {{"debug", LogLevel::debug}, {"info", LogLevel::info}, {"warning", LogLevel::warning}, {"error", LogLevel::error}}};
+
+spdlog::level::level_enum spdlog_level(LogLevel level) {
+    switch (level) {
+        case LogLevel::debug:
+            return spdlog::level::debug;
+        case LogLevel::info:
+            return spdlog::level::info;
+        case LogLevel::warning:
+            return spdlog::level::warn;
+        case LogLevel::error:
+            break;
+    }
+    return spdlog::level::err;
+}
+
+std::unique_ptr<spdlog::logger> make_logger() {
+    const char* no_color = std::getenv("NO_COLOR");
+    const bool plain = no_color != nullptr && *no_color != '\0';
+    auto sink = std::make_shared<spdlog::sinks::stderr_color_sink_mt>(plain ? spdlog::color_mode::never
+                                                                            : spdlog::color_mode::automatic);
+    auto logger = std::make_unique<spdlog::logger>("ddtool", std::move(sink));
+    // On a terminal a progress line may stand where this one goes: wipe it first.
+    const std::string wipe = ::isatty(STDERR_FILENO) != 0 ? "\r\033[K" : "";
+    logger->set_pattern(wipe + "ddtool: %^%l:%$ %v");
+    return logger;
+}
+
+spdlog::logger& logger() {
+    static const std::unique_ptr<spdlog::logger> the_logger = make_logger();
+    return *the_logger;
+}
+
+}  // namespace
+
+void set_log_level(LogLevel level) { logger().set_level(spdlog_level(level)); }
+
+bool log_shows(LogLevel level) { return logger().should_log(spdlog_level(level)); }
+
+LogLevel log_level_named(const std::string& name) {
+    for (const auto& [known, level] : level_names) {
+        if (name == known) {
+            return level;
+        }
+    }
+    throw UsageError("--log-level '" + name + "': expected debug, info, warning or error");
+}
+
+// "{}": a line may hold braces of its own.
+void log_debug(const std::string& line) { logger().debug("{}", line); }
+void log_info(const std::string& line) { logger().info("{}", line); }
+void log_warning(const std::string& line) { logger().warn("{}", line); }
+void log_error(const std::string& line) { logger().error("{}", line); }
+
+}  // namespace ddtool

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "system/progress.hpp"
+
+namespace ddtool {
+
+/// Progress of many tasks at once, whose shares done come from many threads: a line redrawn, and a log line for each
+/// task that ends, with the time left.
+class TaskProgress {
+public:
+    /// what, unit: as of Progress; the unit is that of the tasks.
+    TaskProgress(std::string what, std::string unit, std::size_t tasks)
+        : shares_(tasks, 0.0), line_(std::move(what), std::move(unit)) {}
+
+    /// share of the task, 0..1.
+    void update(std::size_t task, double share);
+    /// The task has ended well; `note` says what came of it.
+    void finish(std::size_t task, const std::string& title, const std::string& note);
+    /// The task has ended with an error.
+    void fail(std::size_t task, const std::string& title, const std::string& reason);
+
+private:
+    void set(std::size_t task, double share);
+    [[nodiscard]] std::string count() const;
+    [[nodiscard]] double fraction() const { return done_ / static_cast<double>(shares_.size()); }
+
+    std::mutex mutex_;
+    std::vector<double> shares_;
+    double done_ = 0.0;
+    std::size_t finished_ = 0;
+    Progress line_;
+    Progress::Clock::time_point start_ = Progress::Clock::now();
+};
+
+}  // namespace ddtool

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "ddtool/network/degree_model.hpp"
+#include "train/history.hpp"
+#include "train/train_settings.hpp"
+
+namespace ddtool::learning {
+
+struct TrainRequest {
+    std::filesystem::path data;  ///< folder of a data set
+    std::filesystem::path out;   ///< folder for checkpoints and metrics
+    TrainSettings settings;
+    std::string device = "cpu";            ///< cpu or cuda
+    std::size_t threads = 0;               ///< of the compute; 0: all cores
+    bool resume = false;                   ///< go on from out/last.pt; without one, start
+    double checkpoint_interval_s = 300.0;  ///< last.pt is written at least so often, and after every epoch
+};
+
+struct TrainResult {
+    std::filesystem::path best;  ///< checkpoint
+    EpochRecord best_epoch;
+    std::size_t epochs = 0;
+    bool interrupted = false;  ///< asked to stop; last.pt can be resumed
+    bool leads = true;         ///< false on the ranks of a distributed training that write nothing
+};
+
+struct RunOptions {
+    std::string device = "cpu";
+    std::string precision = "fp32";  ///< or bf16
+    std::size_t threads = 1;
+};
+
+/// Where the plain weights of the exported model go.
+inline std::filesystem::path plain_weights_beside(std::filesystem::path model) {
+    return model.replace_extension(".safetensors");
+}
+
+/// All that needs LibTorch. LibTorch costs half a second and 160 MB at a program's start, which commands that do
+/// without it should not pay; so it stands in a program of its own, ddtool-torch (docs/architecture.md).
+class Engine {
+public:
+    virtual ~Engine() = default;
+    /// Names of the networks that can be trained.
+    [[nodiscard]] virtual std::vector<std::string> networks() const = 0;
+    virtual TrainResult train(const TrainRequest& request) const = 0;
+    /// Writes the checkpoint's network as TorchScript, with its description inside, and its plain weights to
+    /// plain_weights_beside(out) (docs/formats/model.md).
+    virtual void export_model(const std::filesystem::path& checkpoint, const std::filesystem::path& out) const = 0;
+    /// An exported model, or a checkpoint. Throws Error naming the file and what is wrong with it.
+    [[nodiscard]] virtual std::unique_ptr<native::DegreeModel> load(const std::filesystem::path& file,
+                                                                    const RunOptions& options) const = 0;
+};
+
+/// Where the engine comes from; main says so. It may start another program in the place of this one.
+using EngineProvider = const Engine& (*)();
+void set_engine_provider(EngineProvider provider);
+
+/// The engine. To be asked for before a command prints or writes anything: the provider may start the command anew.
+/// Throws Error where there is no provider.
+const Engine& engine();
+
+}  // namespace ddtool::learning

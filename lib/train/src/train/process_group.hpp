@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "train/sampler.hpp"
+
+namespace ddtool::learning {
+
+/// The processes that train one network together, as seen by one of them.
+struct ProcessGroup {
+    Rank rank;
+    std::size_t local_rank = 0;  ///< among those of this machine: which of its GPUs to take
+    std::string master_address;  ///< of rank 0, where the others meet
+    std::uint16_t master_port = 0;
+};
+
+/// A variable's value; none where it is not set or empty.
+using Environment = std::function<std::optional<std::string>(const std::string& name)>;
+
+/// This process's own.
+std::optional<std::string> process_environment(const std::string& name);
+
+/// The group that a launcher set up: torchrun, else Open MPI, else Slurm's srun (docs/training.md has the variables).
+/// The launcher nearest to the process counts: both others can be started by srun. None without a launcher and for
+/// one process. Throws UsageError naming the variable that is missing or makes no sense.
+std::optional<ProcessGroup> process_group(const Environment& environment = process_environment);
+
+/// The first host of a Slurm node list, such as "rack[2-3]node[01,07-09],login" -> "rack2node01".
+std::string first_host(const std::string& node_list);
+
+}  // namespace ddtool::learning

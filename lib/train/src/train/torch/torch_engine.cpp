@@ -1,0 +1,93 @@
+#include "train/torch/torch_engine.hpp"
+
+#include "ddtool/base/error.hpp"
+#include "system/log.hpp"
+#include "train/process_group.hpp"
+#include "train/torch/output_values.hpp"
+#include "train/torch/plain_weights.hpp"
+#include "train/torch/torch_model.hpp"
+#include "train/torch/torch_script.hpp"
+#include "train/torch/trainer.hpp"
+
+namespace ddtool {
+namespace {
+
+void expect_device(const std::string& device) {
+    if (device != "cpu" && !device.starts_with("cuda")) {
+        throw UsageError("device: expected cpu or cuda, not " + device);
+    }
+    if (device != "cpu" && !torch::cuda::is_available()) {
+        throw UsageError("device: " + device +
+                         " is not there, or this LibTorch (" TORCH_VERSION ") was built without CUDA");
+    }
+}
+
+std::unique_ptr<native::DegreeModel> model_of(training::Checkpoint& checkpoint, const learning::RunOptions& options) {
+    const std::shared_ptr<models::Network> network = checkpoint.network();
+    native::ModelDescription about = checkpoint.description();
+    const torch::Device device(options.device);
+    network->to(device);
+    const auto forward = [network, loss = about.loss, temperature = about.temperature](const torch::Tensor& images) {
+        return inference::output_values(loss, network->forward(images) / temperature);
+    };
+    return std::make_unique<inference::TorchModel>(std::move(about), forward, options);
+}
+
+class TorchEngine : public learning::Engine {
+public:
+    [[nodiscard]] std::vector<std::string> networks() const override { return models::network_names(); }
+
+    learning::TrainResult train(const learning::TrainRequest& request) const override {
+        expect_valid(request.settings);
+        expect_device(request.device);
+        const std::optional<learning::ProcessGroup> group = learning::process_group();
+        learning::TrainRequest own = request;
+        if (group && request.device == "cuda") {
+            // A launcher may show each process no GPU but its own.
+            const auto gpus = static_cast<std::size_t>(torch::cuda::device_count());
+            own.device = "cuda:" + std::to_string(group->local_rank % gpus);
+        }
+        if (group && group->rank.rank > 0) {
+            set_log_level(LogLevel::error);
+        }
+        if (request.threads > 0) {
+            at::set_num_threads(static_cast<int>(request.threads));
+        }
+        // Numbers too small for full precision make a processor many times slower and mean nothing here.
+        at::globalContext().setFlushDenormal(true);
+        const torch::Device device(own.device);
+        // Whatever names no device would otherwise take memory of the first GPU in every process.
+        const c10::DeviceGuard guard(device);
+        const training::Ranks ranks(group, device);
+        learning::TrainResult result = training::Trainer(own, ranks).run();
+        result.leads = ranks.leads();
+        return result;
+    }
+
+    void export_model(const std::filesystem::path& checkpoint, const std::filesystem::path& out) const override {
+        training::Checkpoint source(checkpoint);
+        const native::ModelDescription about = source.description();
+        const std::shared_ptr<models::Network> network = source.network();
+        inference::write_torch_script(out, *network, about);
+        native::write_safetensors(learning::plain_weights_beside(out), inference::plain_weights(*network, about));
+    }
+
+    [[nodiscard]] std::unique_ptr<native::DegreeModel> load(const std::filesystem::path& file,
+                                                            const learning::RunOptions& options) const override {
+        expect_device(options.device);
+        if (inference::is_exported_model(file)) {
+            return inference::load_torch_script(file, options);
+        }
+        training::Checkpoint checkpoint(file);
+        return model_of(checkpoint, options);
+    }
+};
+
+}  // namespace
+
+const learning::Engine& torch_engine() {
+    static const TorchEngine engine;
+    return engine;
+}
+
+}  // namespace ddtool

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <torch/torch.h>
+
+#include <functional>
+#include <string>
+
+#include "train/engine.hpp"
+
+namespace ddtool::inference {
+
+/// Runs a function of LibTorch on images in plain memory.
+class TorchModel : public native::DegreeModel {
+public:
+    /// Images [n, 1, size_px, size_px] to the two values [n, 2].
+    using Forward = std::function<torch::Tensor(const torch::Tensor& images)>;
+
+    TorchModel(native::ModelDescription description, Forward forward, const learning::RunOptions& options);
+
+    [[nodiscard]] const native::ModelDescription& description() const override { return description_; }
+    void run(std::span<const float> images, std::span<double> degrees) override;
+
+private:
+    native::ModelDescription description_;
+    Forward forward_;
+    torch::Device device_;
+    std::string precision_;
+    int threads_;
+};
+
+}  // namespace ddtool::inference

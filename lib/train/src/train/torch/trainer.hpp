@@ -1,0 +1,61 @@
+#pragma once
+
+#include <chrono>
+#include <memory>
+#include <optional>
+
+#include "dataset/dataset.hpp"
+#include "system/interrupt.hpp"
+#include "system/progress.hpp"
+#include "train/batch_loader.hpp"
+#include "train/engine.hpp"
+#include "train/torch/checkpoint.hpp"
+#include "train/torch/class_weights.hpp"
+#include "train/torch/ranks.hpp"
+#include "train/torch/training_state.hpp"
+
+namespace ddtool::training {
+
+/// Fits a network to a data set. On the CPU with a given number of threads the weights depend on settings and data
+/// alone, however often the training was stopped and resumed.
+class Trainer {
+public:
+    /// Starts, or with request.resume goes on from out/last.pt where there is one. Throws UsageError for settings that
+    /// make no sense or are not those of the checkpoint, Error for a data set that does not fit.
+    Trainer(const learning::TrainRequest& request, const Ranks& ranks);
+
+    /// To the end, or until it is asked to stop. Throws Error for a loss that is no number; the checkpoints stay.
+    learning::TrainResult run();
+
+private:
+    using Clock = std::chrono::steady_clock;
+
+    void resume();
+    void run_epoch();
+    void take_step(learning::Batch& batch, std::size_t steps_per_epoch);
+    /// Of a step of the epoch under way.
+    [[nodiscard]] double rate_of_step(std::size_t step, std::size_t steps_per_epoch) const;
+    void end_epoch(std::size_t steps);
+    [[nodiscard]] native::ModelDescription description() const;
+    void save_last();
+    void save_if_due();
+    void show_progress(std::size_t steps_per_epoch);
+    [[nodiscard]] bool stopped() const;
+
+    learning::TrainRequest request_;
+    const Ranks& ranks_;
+    torch::Device device_;
+    dataset::Dataset data_;
+    std::vector<std::size_t> train_samples_;
+    std::vector<std::size_t> validation_samples_;
+    ClassWeights weights_;
+    std::shared_ptr<models::Network> network_;
+    std::vector<torch::Tensor> parameters_;
+    std::unique_ptr<torch::optim::Optimizer> optimizer_;
+    TrainingState state_;
+    Clock::time_point last_save_ = Clock::now();
+    Progress progress_;
+    InterruptRequest interrupt_;
+};
+
+}  // namespace ddtool::training

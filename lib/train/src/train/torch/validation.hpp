@@ -1,0 +1,24 @@
+#pragma once
+
+#include <vector>
+
+#include "dataset/dataset.hpp"
+#include "train/torch/class_weights.hpp"
+#include "train/torch/network.hpp"
+#include "train/train_settings.hpp"
+
+namespace ddtool::training {
+
+struct ValidationResult {
+    double loss = 0.0;  ///< mean, weighted by class as in training
+    double accuracy = 0.0;
+    double f1 = 0.0;  ///< degenerate is the positive class
+    double auc = 0.0;
+};
+
+/// The network in evaluation mode over samples of a data set, as they are.
+ValidationResult validate(models::Network& network, const dataset::Dataset& data,
+                          const std::vector<std::size_t>& samples, const learning::TrainSettings& settings,
+                          const ClassWeights& weights, torch::Device device);
+
+}  // namespace ddtool::training

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+#include "dataset/sample_record.hpp"
+#include "ddtool/network/image_settings.hpp"
+
+namespace ddtool::learning {
+
+/// Changes of a swarm that keep its label (docs/training.md).
+struct AugmentationSettings {
+    bool rotate = true;              ///< by any angle
+    bool flip = true;                ///< mirrored, every other time
+    bool resample_particles = true;  ///< a random choice of fewer particles
+    std::size_t least_particles = 15;
+};
+DDTOOL_JSON_STRUCT(AugmentationSettings, rotate, flip, resample_particles, least_particles)
+
+struct OptimizerSettings {
+    std::string name = "adam";  ///< adam, rmsprop or adamw
+    double learning_rate = 1e-3;
+    double weight_decay = 1e-4;
+    double warm_up_share = 0.05;  ///< of all steps: the rate rises linearly, then falls as half a cosine
+    double final_rate_share = 0.01;
+    double largest_gradient_norm = 1.0;  ///< longer gradients are cut to it
+};
+DDTOOL_JSON_STRUCT(OptimizerSettings, name, learning_rate, weight_decay, warm_up_share, final_rate_share,
+                   largest_gradient_norm)
+
+/// Everything that, with the data set, decides the trained weights.
+struct TrainSettings {
+    std::string model = "ddmodel-lite";
+    std::string label = "fisher";
+    std::string split = "held_out";
+    ImageSettings image{.swarm = Swarm::response};
+    AugmentationSettings augmentation{};
+    std::string loss = "cross-entropy";  ///< cross-entropy or bce
+    bool class_weights = true;           ///< each class counts the same, however many samples it has
+    OptimizerSettings optimizer{};
+    std::size_t epochs = 30;
+    std::size_t batch_size = 32;       ///< of each rank
+    std::size_t patience_epochs = 10;  ///< without a better validation loss before training stops; 0: never stops early
+    std::string precision = "bf16";    ///< fp32 or bf16 (mixed)
+    std::uint64_t seed = 1;
+};
+DDTOOL_JSON_STRUCT(TrainSettings, model, label, split, image, augmentation, loss, class_weights, optimizer, epochs,
+                   batch_size, patience_epochs, precision, seed)
+
+/// The settings' words. Throw UsageError for another one.
+dataset::LabelRule label_rule_of(const TrainSettings& settings);
+dataset::Split split_of(const TrainSettings& settings);
+
+/// Throws UsageError naming the setting for a value that makes no sense. The model's name is checked by its makers.
+void expect_valid(const TrainSettings& settings);
+
+}  // namespace ddtool::learning

@@ -1,0 +1,94 @@
+#include "ddtool/filter/information_fusion.hpp"
+
+#include <gtest/gtest.h>
+
+#include "known_view.hpp"
+
+namespace ddtool {
+namespace {
+
+using Diagonal = Eigen::Vector3d;
+
+Eigen::Matrix3d diagonal(double x, double y, double theta) { return Diagonal(x, y, theta).asDiagonal(); }
+
+TEST(CredibleInformation, IsAllOfAGoodMatch) {
+    const Eigen::Matrix3d match = diagonal(4e4, 5e4, 1e6);
+    EXPECT_TRUE(credible_information(match, diagonal(1e3, 1e3, 1e4), 0.0, 0.0).isApprox(match, 1e-9));
+}
+
+TEST(CredibleInformation, WithoutAWallAheadIsNothingAlongTheWalls) {
+    const double across = 1e5;
+    const double from_normals = 0.05 * 0.05 * across;
+    const Eigen::Matrix3d credible =
+        credible_information(diagonal(0.9 * from_normals, across, 1e6), diagonal(1e4, 1e4, 1e5), 0.05, 0.0);
+    EXPECT_NEAR(credible(0, 0), 0.0, 1e-6);
+    EXPECT_NEAR(credible(1, 1), across, 0.01 * across);
+}
+
+TEST(CredibleInformation, LosesTheWeakDirectionAsTheDegreeGrows) {
+    const Eigen::Matrix3d match = diagonal(10.0, 1e6, 1e8);
+    const Eigen::Matrix3d odometry = diagonal(1e4, 1e4, 1e5);
+    const auto along = [&](double degree) { return credible_information(match, odometry, 0.0, degree)(0, 0); };
+    EXPECT_NEAR(along(0.5), 0.5 * along(0.0), 0.01 * along(0.0));
+    EXPECT_NEAR(along(1.0), 0.0, 0.02);
+    EXPECT_GT(credible_information(match, odometry, 0.0, 1.0)(1, 1), 0.98e6);
+}
+
+TEST(CredibleInformation, DoesNotDependOnTheAxes) {
+    Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
+    turn.topLeftCorner<2, 2>() << 0.6, -0.8, 0.8, 0.6;
+    const Eigen::Matrix3d match = diagonal(50.0, 1e5, 1e6);
+    const Eigen::Matrix3d odometry = diagonal(1e4, 2e4, 1e5);
+    const Eigen::Matrix3d turned =
+        credible_information(turn * match * turn.transpose(), turn * odometry * turn.transpose(), 0.01, 0.7);
+    EXPECT_TRUE(turned.isApprox(turn * credible_information(match, odometry, 0.01, 0.7) * turn.transpose(), 1e-9));
+}
+
+/// Along the corridor the odometry's word counts, across it and in heading the walls'.
+TEST(InformationFusion, TakesTheWayFromOdometryAndTheRestFromTheWalls) {
+    KnownView view(long_corridor(), 8.0);
+    const Pose2 odometry = view.pose * Pose2{0.02, 0.005, 0.001};
+    const Pose2 sampled = view.pose * Pose2{-0.05, 0.03, 0.01};
+    const ScanMatch fused =
+        InformationFusion({}).correct(view.context(sampled, odometry, 0.01, 0.005), view.match_from(sampled), {1.0});
+    EXPECT_NEAR(fused.pose.x_m, odometry.x_m, 0.002);
+    EXPECT_NEAR(fused.pose.y_m, view.pose.y_m, 0.002);
+    EXPECT_NEAR(fused.pose.theta_rad, view.pose.theta_rad, 0.001);
+}
+
+TEST(InformationFusion, LeavesTheMatchOfARoom) {
+    KnownView view(furnished_room());
+    const Pose2 odometry = view.pose * Pose2{0.02, 0.01, 0.005};
+    const ScanMatch match = view.match_from(odometry);
+    for (const double degree : {0.0, 1.0}) {
+        const Pose2 fused =
+            InformationFusion({}).correct(view.context(odometry, odometry, 0.03, 0.02), match, {degree}).pose;
+        EXPECT_LT(distance_m(fused, match.pose), 0.003) << degree;
+    }
+}
+
+TEST(InformationFusion, WithoutAMatchFollowsTheOdometry) {
+    KnownView view(furnished_room());
+    const Pose2 odometry{50.0, 50.0, 1.0};  // in the unknown
+    const ScanMatch nothing = view.matcher.evaluate(view.grid, view.match_points, odometry * Pose2{0.1, 0.1, 0.1});
+    const ScanMatch fused = InformationFusion({}).correct(view.context(nothing.pose, odometry), nothing, {0.0});
+    EXPECT_EQ(fused.pose, odometry);
+}
+
+/// A wheel that slipped: the walls around say where the robot is, however sure the odometry claims to be.
+TEST(InformationFusion, DoubtsOdometryThatTheScanContradicts) {
+    KnownView view(furnished_room());
+    const Pose2 slipped = view.pose * Pose2{0.1, 0.0, 0.0};
+    const ScanMatch match = view.match_from(slipped);
+    const auto error_m = [&](double most_deviations) {
+        FusionSettings settings;
+        settings.most_deviations = most_deviations;
+        const MatchContext context = view.context(slipped, slipped, 0.002);
+        return distance_m(InformationFusion(settings).correct(context, match, {1.0}).pose, view.pose);
+    };
+    EXPECT_LT(error_m(3.0), 0.8 * error_m(1e6));
+    EXPECT_LT(error_m(1.0), 0.5 * error_m(3.0));
+}
+
+}  // namespace
+}  // namespace ddtool

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "ddtool/filter/scan_insertion.hpp"
+#include "ddtool/filter/strategies.hpp"
+#include "room_scans.hpp"
+
+namespace ddtool {
+
+/// A scan, the grid that it made at its true pose, and what a correction is told of a particle there.
+struct KnownView {
+    explicit KnownView(const sim::World& world, double range_max_m = 30.0)
+        : points(exact_points(world, pose, 360, range_max_m)) {
+        ScanInserter().insert(grid, points, pose);
+    }
+
+    /// The particle was sampled and, by odometry, is expected at these poses.
+    MatchContext context(const Pose2& predicted, const Pose2& odometry, double odometry_sd_m = 0.003,
+                         double odometry_sd_rad = 0.0005) {
+        Eigen::Vector3d information(odometry_sd_m, odometry_sd_m, odometry_sd_rad);
+        information = information.cwiseAbs2().cwiseInverse();
+        return {matcher, grid, match_points, predicted, prior, odometry, information.asDiagonal(), 0.1};
+    }
+    ScanMatch match_from(const Pose2& predicted) { return matcher.match(grid, match_points, predicted, prior); }
+
+    Pose2 pose{0.21, -0.13, 0.0};
+    ScanPoints points;
+    OccupancyGrid grid{OccupancySettings{}};
+    MatchPoints match_points{points, OccupancySettings{}.cell_size_m};
+    ScanMatcher matcher{ScanMatcherSettings{}, OccupancySettings{}.cell_size_m};
+    PosePrior prior{0.04, 0.04, 0.03};
+};
+
+/// Two walls along x, their ends out of range.
+inline sim::World long_corridor() { return room(200.0, 2.0); }
+
+}  // namespace ddtool

@@ -1,0 +1,168 @@
+#include "ddtool/filter/rbpf.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "room_run.hpp"
+
+namespace ddtool {
+namespace {
+
+double largest_error_m(const Trajectory& trajectory, const std::vector<SensorFrame>& frames) {
+    double largest = 0.0;
+    for (std::size_t i = 0; i < frames.size(); ++i) {
+        largest = std::max(largest, distance_m(trajectory[i].pose, *frames[i].world_from_robot));
+    }
+    return largest;
+}
+
+std::vector<SensorFrame> without_returns(std::vector<SensorFrame> frames) {
+    for (SensorFrame& frame : frames) {
+        std::fill(frame.scan.ranges_m.begin(), frame.scan.ranges_m.end(), LaserScan::no_return);
+    }
+    return frames;
+}
+
+/// Where odometry alone puts the robot.
+Trajectory by_odometry(const std::vector<SensorFrame>& frames) {
+    Trajectory trajectory;
+    for (const SensorFrame& frame : frames) {
+        trajectory.push_back({frame.scan.stamp_ns, frame.odom_from_robot});
+    }
+    return trajectory;
+}
+
+TEST(Rbpf, KnowsWhereItIsInARoomBetterThanOdometryDoes) {
+    const std::vector<SensorFrame>& frames = room_drive();
+    const Trajectory trajectory = filtered(frames, few_particles());
+    expect_finite_pose_for_every_scan(trajectory, frames);
+    EXPECT_LT(largest_error_m(trajectory, frames), 0.06);
+    EXPECT_LT(largest_error_m(trajectory, frames), 0.7 * largest_error_m(by_odometry(frames), frames));
+}
+
+TEST(Rbpf, OneParticleIsAFilterToo) {
+    EXPECT_LT(largest_error_m(filtered(room_drive(), few_particles(1)), room_drive()), 0.06);
+}
+
+TEST(Rbpf, IsTheSameBytesOnAnyNumberOfThreads) {
+    RbpfSettings settings = few_particles();
+    settings.resample_share = 0.9;
+    const std::vector<Pose2> one = poses_of(filtered(room_drive(), settings));
+    EXPECT_EQ(poses_of(filtered(room_drive(), settings, {}, 2)), one);
+    EXPECT_EQ(poses_of(filtered(room_drive(), settings, {}, 3)), one);
+    settings.seed = 2;
+    EXPECT_NE(poses_of(filtered(room_drive(), settings)), one);
+}
+
+TEST(Rbpf, StartsWhereOdometryDoes) {
+    std::vector<SensorFrame> frames = room_drive();
+    const Pose2 motion{-30.0, 12.0, 2.0};
+    for (SensorFrame& frame : frames) {
+        frame.odom_from_robot = motion * frame.odom_from_robot;
+        frame.world_from_robot = motion * *frame.world_from_robot;
+    }
+    const Trajectory trajectory = filtered(frames, few_particles());
+    EXPECT_EQ(trajectory.front().pose, frames.front().odom_from_robot);
+    EXPECT_LT(largest_error_m(trajectory, frames), 0.08);
+}
+
+TEST(Rbpf, StampsDecideNothing) {
+    std::vector<SensorFrame> frames = room_drive();
+    for (std::size_t i = 0; i < frames.size(); ++i) {
+        frames[i].scan.stamp_ns = 1'000'000'000 - static_cast<std::int64_t>(i) * 7;
+    }
+    const Trajectory trajectory = filtered(frames, few_particles());
+    expect_finite_pose_for_every_scan(trajectory, frames);
+    EXPECT_EQ(poses_of(trajectory), poses_of(filtered(room_drive(), few_particles())));
+}
+
+TEST(Rbpf, ThatNeverMovesKeepsItsPlace) {
+    const std::vector<SensorFrame> frames(20, room_drive().front());
+    ThreadPool threads(1);
+    Rbpf filter(few_particles(), threads);
+    for (std::size_t i = 0; i < frames.size(); ++i) {
+        EXPECT_EQ(filter.process(frames[i]), i == 0);
+        EXPECT_EQ(filter.pose(), frames.front().odom_from_robot);
+    }
+    EXPECT_EQ(filter.updates(), 1U);
+    expect_finite_pose_for_every_scan(filter.trajectory(), frames);
+}
+
+TEST(Rbpf, WithoutReturnsFollowsTheMotionModel) {
+    const std::vector<SensorFrame> frames = without_returns(room_drive());
+    RbpfSettings settings = few_particles(1);
+    settings.motion = {0.0, 0.0, 0.0, 0.0};
+    const Trajectory trajectory = filtered(frames, settings);
+    expect_finite_pose_for_every_scan(trajectory, frames);
+    for (std::size_t i = 0; i < frames.size(); ++i) {
+        EXPECT_LT(distance_m(trajectory[i].pose, frames[i].odom_from_robot), 1e-9) << i;
+    }
+    expect_finite_pose_for_every_scan(filtered(frames, few_particles()), frames);
+}
+
+TEST(Rbpf, StaysFiniteWhenOdometryJumps) {
+    std::vector<SensorFrame> frames = room_drive();
+    for (std::size_t i = frames.size() / 2; i < frames.size(); ++i) {
+        frames[i].odom_from_robot = Pose2{100.0, -40.0, 1.0} * frames[i].odom_from_robot;
+    }
+    expect_finite_pose_for_every_scan(filtered(frames, few_particles()), frames);
+}
+
+TEST(Rbpf, BeforeTheFirstScanHasNoTrajectory) { EXPECT_TRUE(filtered({}, few_particles()).empty()); }
+
+/// The last pose is what was said when the scan was taken; nothing later could correct it.
+TEST(Rbpf, TrajectoryEndsAtThePresentPose) {
+    ThreadPool threads(1);
+    Rbpf filter(few_particles(), threads);
+    for (const SensorFrame& frame : room_drive()) {
+        filter.process(frame);
+        ASSERT_LT(distance_m(filter.trajectory().back().pose, filter.pose()), 1e-12);
+    }
+}
+
+/// A straight way of updates that see nothing.
+std::vector<SensorFrame> long_drive(std::size_t updates) {
+    std::vector<SensorFrame> frames(updates, without_returns({room_drive().front()}).front());
+    for (std::size_t i = 0; i < updates; ++i) {
+        frames[i].scan.stamp_ns = static_cast<std::int64_t>(i);
+        frames[i].odom_from_robot = {0.2 * static_cast<double>(i), 0.0, 0.0};
+    }
+    return frames;
+}
+
+/// Settling happens at each 1024th update and leaves the last 1024 alone.
+TEST(Rbpf, ThePastThatAllParticlesShareStaysAsItWas) {
+    const std::vector<SensorFrame> frames = long_drive(2'300);
+    RbpfSettings settings = few_particles(3);
+    settings.resample_share = 1.1;  // always, so that lines of descent meet
+    ThreadPool threads(1);
+    Rbpf filter(settings, threads);
+    std::vector<Pose2> before;
+    for (std::size_t i = 0; i < frames.size(); ++i) {
+        filter.process(frames[i]);
+        if (i == 2'040) {
+            before = poses_of(filter.trajectory());
+        }
+    }
+    expect_finite_pose_for_every_scan(filter.trajectory(), frames);
+    std::vector<Pose2> after = poses_of(filter.trajectory());
+    EXPECT_EQ(after.back(), filter.pose());
+    before.resize(1'990);
+    after.resize(before.size());
+    EXPECT_EQ(after, before);
+}
+
+/// Three pasts that never meet, and one.
+TEST(Rbpf, NoLongDriveLosesAPose) {
+    const std::vector<SensorFrame> frames = long_drive(2'300);
+    for (const std::size_t particles : {1U, 3U}) {
+        RbpfSettings settings = few_particles(particles);
+        settings.resample_share = 0.0;
+        expect_finite_pose_for_every_scan(filtered(frames, settings), frames);
+    }
+}
+
+}  // namespace
+}  // namespace ddtool

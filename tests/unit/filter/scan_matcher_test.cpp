@@ -1,0 +1,206 @@
+#include "ddtool/filter/scan_matcher.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+#include <cmath>
+#include <functional>
+#include <numbers>
+
+#include "ddtool/base/random.hpp"
+#include "ddtool/filter/scan_insertion.hpp"
+#include "room_scans.hpp"
+
+namespace ddtool {
+namespace {
+
+/// A power of two, so that moving by whole cells rounds nothing.
+constexpr double cell_m = 0.0625;
+constexpr PosePrior loose{1.0, 1.0, 1.0};
+
+OccupancyGrid grid_with(const ScanPoints& points, const Pose2& pose) {
+    OccupancySettings settings;
+    settings.cell_size_m = cell_m;
+    OccupancyGrid grid(settings);
+    ScanInserter().insert(grid, points, pose);
+    return grid;
+}
+
+ScanMatcher matcher() { return {ScanMatcherSettings{}, cell_m}; }
+
+/// A view of the furnished room with the grid that this very scan made.
+struct View {
+    Pose2 pose{0.21, -0.33, 0.4};
+    ScanPoints points = exact_points(furnished_room(), pose);
+    OccupancyGrid grid = grid_with(points, pose);
+    MatchPoints match_points{points, cell_m};
+};
+
+TEST(ScanMatcher, ScoresOneWhereTheScanWasTaken) {
+    const View view;
+    const double score = matcher().score(view.grid, view.match_points, view.pose);
+    EXPECT_GT(score, 0.99);
+    EXPECT_LE(score, 1.0 + 1e-6);
+    EXPECT_LT(matcher().score(view.grid, view.match_points, view.pose * Pose2{0.05, 0.05, 0.02}), 0.9 * score);
+}
+
+TEST(ScanMatcher, FindsTheWayBackFromRandomDisplacements) {
+    RandomStream random{1};
+    const View view;
+    for (int i = 0; i < 50; ++i) {
+        const Pose2 start =
+            view.pose * Pose2{random.uniform(-0.2, 0.2), random.uniform(-0.2, 0.2), random.uniform(-0.15, 0.15)};
+        const ScanMatch match = matcher().match(view.grid, view.match_points, start, loose);
+        EXPECT_LT(distance_m(match.pose, view.pose), 0.003) << i;
+        EXPECT_NEAR(match.pose.theta_rad, view.pose.theta_rad, 0.001) << i;
+        EXPECT_GT(match.score, 0.95) << i;
+    }
+}
+
+TEST(ScanMatcher, FindsThePoseOfAnotherView) {
+    RandomStream random{2};
+    const View view;
+    for (int i = 0; i < 10; ++i) {
+        const Pose2 truth = view.pose * Pose2{0.3, -0.1, random.uniform(-0.5, 0.5)};
+        const MatchPoints points(exact_points(furnished_room(), truth), cell_m);
+        const Pose2 start = truth * Pose2{random.uniform(-0.1, 0.1), random.uniform(-0.1, 0.1), 0.05};
+        const ScanMatch match = matcher().match(view.grid, points, start, loose);
+        EXPECT_LT(distance_m(match.pose, truth), 0.015) << i;
+        EXPECT_NEAR(match.pose.theta_rad, truth.theta_rad, 0.005) << i;
+    }
+}
+
+TEST(ScanMatcher, LeavesTheWayAlongACorridorToThePrior) {
+    const sim::World corridor = room(80.0, 2.0);
+    const Pose2 mapped_from{0.3, 0.1, 0.0};
+    const Pose2 pose{0.8, -0.1, 0.0};
+    const OccupancyGrid grid = grid_with(exact_points(corridor, mapped_from, 720, 12.0), mapped_from);
+    const ScanPoints points = exact_points(corridor, pose, 720, 12.0);
+    const Pose2 start{pose.x_m + 0.1, pose.y_m - 0.08, 0.03};
+    const ScanMatch match = matcher().match(grid, {points, cell_m}, start, {0.1, 0.1, 0.1});
+    EXPECT_NEAR(match.pose.x_m, start.x_m, 0.003);
+    EXPECT_NEAR(match.pose.y_m, pose.y_m, 0.003);
+    EXPECT_NEAR(match.pose.theta_rad, 0.0, 0.001);
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(match.information.topLeftCorner<2, 2>());
+    EXPECT_LT(solver.eigenvalues()(0), 1e-3 * solver.eigenvalues()(1));
+    EXPECT_NEAR(std::abs(solver.eigenvectors()(0, 0)), 1.0, 0.01);
+}
+
+TEST(ScanMatcher, InformationOfARoomConstrainsEverything) {
+    const View view;
+    const ScanMatch match = matcher().match(view.grid, view.match_points, view.pose, loose);
+    EXPECT_TRUE(match.information.isApprox(match.information.transpose()));
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(match.information);
+    EXPECT_GT(solver.eigenvalues()(0), 0.02 * solver.eigenvalues()(2));
+}
+
+TEST(ScanMatcher, SaysTheSameOfAWorldMovedByWholeCells) {
+    const View view;
+    const Pose2 probe = view.pose * Pose2{0.04, -0.03, 0.02};
+    const double log_likelihood = matcher().evaluate(view.grid, view.match_points, probe).log_likelihood;
+    for (const int cells : {1, 32, -77, 4096}) {
+        const Pose2 motion{cell_m * cells, -2.0 * cell_m * cells, 0.0};
+        const OccupancyGrid moved = grid_with(view.points, motion * view.pose);
+        EXPECT_NEAR(matcher().evaluate(moved, view.match_points, motion * probe).log_likelihood, log_likelihood,
+                    1e-3 * std::abs(log_likelihood))
+            << cells;
+    }
+}
+
+TEST(ScanMatcher, SaysTheSameOfAWorldTurnedByQuarters) {
+    const View view;
+    const Pose2 probe = view.pose * Pose2{0.04, -0.03, 0.02};
+    const double log_likelihood = matcher().evaluate(view.grid, view.match_points, probe).log_likelihood;
+    for (const double quarters : {1.0, 2.0, -1.0}) {
+        const Pose2 motion{0.0, 0.0, quarters * std::numbers::pi / 2.0};
+        const OccupancyGrid turned = grid_with(view.points, motion * view.pose);
+        EXPECT_NEAR(matcher().evaluate(turned, view.match_points, motion * probe).log_likelihood, log_likelihood,
+                    0.01 * std::abs(log_likelihood))
+            << quarters;
+    }
+}
+
+TEST(ScanMatcher, LikelihoodFallsWithTheDistance) {
+    const View view;
+    double before = 1.0;
+    for (const double off_m : {0.0, 0.02, 0.05, 0.1, 0.2}) {
+        const double value =
+            matcher().evaluate(view.grid, view.match_points, view.pose * Pose2{off_m, off_m, 0.0}).log_likelihood;
+        EXPECT_LE(value, 0.0);
+        EXPECT_LT(value, before) << off_m;
+        before = value;
+    }
+}
+
+/// The points of the robot's left or right side, apart from each other.
+ScanPoints side_of(const ScanPoints& all, bool left) {
+    ScanPoints side;
+    side.origin_m = all.origin_m;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        if (left ? all.y_m[i] > 1.0F : all.y_m[i] < -1.0F) {
+            side.x_m.push_back(all.x_m[i]);
+            side.y_m.push_back(all.y_m[i]);
+            side.normal_x.push_back(all.normal_x[i]);
+            side.normal_y.push_back(all.normal_y[i]);
+            side.along_weight.push_back(all.along_weight[i]);
+            side.order.push_back(all.order[i]);
+        }
+    }
+    return side;
+}
+
+ScanPoints joined(ScanPoints a, const ScanPoints& b) {
+    const auto append = [](auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); };
+    append(a.x_m, b.x_m);
+    append(a.y_m, b.y_m);
+    append(a.normal_x, b.normal_x);
+    append(a.normal_y, b.normal_y);
+    append(a.along_weight, b.along_weight);
+    append(a.order, b.order);
+    return a;
+}
+
+TEST(ScanMatcher, BeamsIntoUnknownGroundCountAsTheMeanOfTheOthers) {
+    const Pose2 pose{0.0, 0.0, 0.0};
+    const ScanPoints all = exact_points(furnished_room(), pose);
+    const ScanPoints left = side_of(all, true);
+    const ScanPoints right = side_of(all, false);
+    ASSERT_GT(right.size(), 50U);
+    const OccupancyGrid grid = grid_with(left, pose);
+    const Pose2 probe{0.03, -0.02, 0.01};
+    const double of_left = matcher().evaluate(grid, {left, cell_m}, probe).log_likelihood;
+    const double of_both = matcher().evaluate(grid, {joined(left, right), cell_m}, probe).log_likelihood;
+    EXPECT_LT(of_left, -0.1);
+    EXPECT_NEAR(of_both / static_cast<double>(left.size() + right.size()), of_left / static_cast<double>(left.size()),
+                1e-3 * std::abs(of_left / static_cast<double>(left.size())));
+}
+
+TEST(ScanMatcher, WithoutBeamsKeepsThePrediction) {
+    const View view;
+    const MatchPoints none(ScanPoints{}, cell_m);
+    const ScanMatch match = matcher().match(view.grid, none, {1.0, 2.0, 3.0}, loose);
+    EXPECT_EQ(match.pose, (Pose2{1.0, 2.0, 3.0}));
+    EXPECT_EQ(match.score, 0.0);
+    EXPECT_TRUE(match.information.isZero());
+    EXPECT_EQ(matcher().evaluate(view.grid, none, {}).log_likelihood, 0.0);
+}
+
+TEST(ScanMatcher, InAnEmptyGridKeepsThePrediction) {
+    const View view;
+    const OccupancyGrid empty{OccupancySettings{}};
+    const ScanMatch match = matcher().match(empty, view.match_points, view.pose, loose);
+    EXPECT_LT(distance_m(match.pose, view.pose), 1e-12);
+    EXPECT_EQ(match.score, 0.0);
+}
+
+TEST(ScanMatcher, DoesNotDependOnTheScansBefore) {
+    const View view;
+    const Pose2 start = view.pose * Pose2{0.1, -0.1, 0.05};
+    ScanMatcher used = matcher();
+    used.match(view.grid, {exact_points(room(60.0, 2.0), {}, 1'500), cell_m}, {}, loose);
+    EXPECT_EQ(used.match(view.grid, view.match_points, start, loose).pose,
+              matcher().match(view.grid, view.match_points, start, loose).pose);
+}
+
+}  // namespace
+}  // namespace ddtool

@@ -1,0 +1,84 @@
+#include "ddtool/filter/scan_odometry.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "room_run.hpp"
+
+namespace ddtool {
+namespace {
+
+class Frames : public SensorStream {
+public:
+    explicit Frames(std::vector<SensorFrame> frames) : frames_(std::move(frames)) {}
+    std::optional<SensorFrame> next() override {
+        return next_ < frames_.size() ? std::optional(frames_[next_++]) : std::nullopt;
+    }
+    [[nodiscard]] double fraction_read() const override { return 0.5; }
+
+private:
+    std::vector<SensorFrame> frames_;
+    std::size_t next_ = 0;
+};
+
+std::vector<SensorFrame> without_odometry(std::vector<SensorFrame> frames) {
+    for (SensorFrame& frame : frames) {
+        frame.odom_from_robot = {};
+    }
+    return frames;
+}
+
+std::vector<SensorFrame> with_scan_odometry(const std::vector<SensorFrame>& frames) {
+    Frames source(without_odometry(frames));
+    ScanOdometryStream stream(source, few_particles());
+    std::vector<SensorFrame> result;
+    while (std::optional<SensorFrame> frame = stream.next()) {
+        result.push_back(*std::move(frame));
+    }
+    return result;
+}
+
+/// Largest distance between the motions since the first frame.
+double largest_error_m(const std::vector<SensorFrame>& frames) {
+    double largest = 0.0;
+    for (const SensorFrame& frame : frames) {
+        const Pose2 truth = between(*frames.front().world_from_robot, *frame.world_from_robot);
+        largest = std::max(largest, distance_m(between(frames.front().odom_from_robot, frame.odom_from_robot), truth));
+    }
+    return largest;
+}
+
+TEST(ScanOdometry, FollowsTheRobotThroughARoom) {
+    const std::vector<SensorFrame> frames = with_scan_odometry(room_drive());
+    ASSERT_EQ(frames.size(), room_drive().size());
+    EXPECT_LT(largest_error_m(frames), 0.1);
+    EXPECT_GT(largest_error_m(without_odometry(room_drive())), 1.0);
+}
+
+TEST(ScanOdometry, LeavesEverythingElseAsItIs) {
+    const std::vector<SensorFrame> frames = with_scan_odometry(room_drive());
+    for (std::size_t i = 0; i < frames.size(); ++i) {
+        EXPECT_EQ(frames[i].scan.stamp_ns, room_drive()[i].scan.stamp_ns);
+        const std::vector<float>& ranges_m = room_drive()[i].scan.ranges_m;  // with NaN among them
+        ASSERT_EQ(frames[i].scan.ranges_m.size(), ranges_m.size());
+        EXPECT_EQ(std::memcmp(frames[i].scan.ranges_m.data(), ranges_m.data(), ranges_m.size() * sizeof(float)), 0);
+        EXPECT_EQ(frames[i].robot_from_laser, room_drive()[i].robot_from_laser);
+    }
+}
+
+TEST(ScanOdometry, StaysFiniteWithoutReturnsAndWithoutTime) {
+    std::vector<SensorFrame> blind = room_drive();
+    for (SensorFrame& frame : blind) {
+        std::fill(frame.scan.ranges_m.begin(), frame.scan.ranges_m.end(), LaserScan::no_return);
+        frame.scan.stamp_ns = 7;
+    }
+    for (const SensorFrame& frame : with_scan_odometry(blind)) {
+        EXPECT_TRUE(std::isfinite(frame.odom_from_robot.x_m) && std::isfinite(frame.odom_from_robot.theta_rad));
+    }
+}
+
+}  // namespace
+}  // namespace ddtool

@@ -1,0 +1,109 @@
+#include "ddtool/methods/method.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "room_run.hpp"
+#include "thrown_text.hpp"
+
+namespace ddtool {
+namespace {
+
+FilterSettings settings_of(const std::string& method) {
+    FilterSettings settings;
+    settings.rbpf = few_particles();
+    settings.method.method = method;
+    return settings;
+}
+
+Trajectory run(const FilterSettings& settings, std::size_t threads = 1) {
+    ThreadPool pool(threads);
+    const auto filter = make_filter(settings, DetectorTable(), pool);
+    for (const SensorFrame& frame : room_drive()) {
+        filter->process(frame);
+    }
+    return filter->trajectory();
+}
+
+double largest_error_m(const Trajectory& trajectory) {
+    double largest = 0.0;
+    for (std::size_t i = 0; i < trajectory.size(); ++i) {
+        largest = std::max(largest, distance_m(trajectory[i].pose, *room_drive()[i].world_from_robot));
+    }
+    return largest;
+}
+
+TEST(Methods, AllKnowWhereTheRobotIsInARoom) {
+    Trajectory odometry;
+    for (const SensorFrame& frame : room_drive()) {
+        odometry.push_back({frame.scan.stamp_ns, frame.odom_from_robot});
+    }
+    for (const std::string& name : method_names()) {
+        const double error_m = largest_error_m(run(settings_of(name)));
+        EXPECT_LT(error_m, name == "odometry" ? 1.001 * largest_error_m(odometry) : 0.12) << name;
+    }
+}
+
+TEST(Methods, AreTheSameBytesOnAnyNumberOfThreads) {
+    for (const std::string& name : method_names()) {
+        EXPECT_EQ(poses_of(run(settings_of(name), 2)), poses_of(run(settings_of(name)))) << name;
+    }
+}
+
+TEST(Methods, OdometryIsTheOdometry) {
+    const Trajectory trajectory = run(settings_of("odometry"));
+    for (std::size_t i = 0; i < trajectory.size(); ++i) {
+        EXPECT_LT(distance_m(trajectory[i].pose, room_drive()[i].odom_from_robot), 1e-9) << i;
+    }
+}
+
+TEST(Methods, AreTheirParts) {
+    FilterSettings as_parts = settings_of("gmapping");
+    as_parts.method.parts = parts_of(settings_of("paper").method);
+    EXPECT_EQ(poses_of(run(as_parts)), poses_of(run(settings_of("paper"))));
+}
+
+TEST(Methods, WithoutTheirPartsAreGmapping) {
+    for (const char* name : {"paper", "anti-degeneracy", "fisher-gate"}) {
+        FilterSettings settings = settings_of(name);
+        settings.method.parts = parts_of(settings_of("gmapping").method);
+        EXPECT_EQ(poses_of(run(settings)), poses_of(run(settings_of("gmapping")))) << name;
+    }
+}
+
+TEST(Methods, EachPartOfThePapersChangesTheOutcomeAlone) {
+    const MethodParts paper = parts_of(settings_of("paper").method);
+    for (const auto part : {&MethodParts::search, &MethodParts::trust, &MethodParts::resampling}) {
+        FilterSettings settings = settings_of("gmapping");
+        settings.rbpf.resample_share = 1.0;
+        settings.rbpf.matcher.max_iterations = 0;  // so that there is something left to search
+        const std::vector<Pose2> without = poses_of(run(settings));
+        settings.method.parts.detector = "always";
+        settings.method.parts.*part = paper.*part;
+        EXPECT_NE(poses_of(run(settings)), without) << paper.*part;
+    }
+}
+
+TEST(Methods, UnknownNamesAreRefusedWithTheKnownOnes) {
+    const auto refusal = [](auto set) {
+        FilterSettings settings = settings_of("gmapping");
+        set(settings.method);
+        return test::thrown_text<UsageError>([&] { run(settings); });
+    };
+    EXPECT_THAT(refusal([](MethodSettings& m) { m.method = "gmaping"; }),
+                testing::HasSubstr("filter.method: expected gmapping, paper, anti-degeneracy"));
+    EXPECT_THAT(refusal([](MethodSettings& m) { m.parts.search = "wide"; }),
+                testing::HasSubstr("filter.search: expected none, coarse-fine, correlative, not 'wide'"));
+    EXPECT_THAT(refusal([](MethodSettings& m) { m.parts.trust = "x"; }), testing::HasSubstr("filter.trust: expected"));
+    EXPECT_THAT(refusal([](MethodSettings& m) { m.parts.resampling = "x"; }),
+                testing::HasSubstr("filter.resampling: expected systematic, enhanced"));
+    EXPECT_THAT(refusal([](MethodSettings& m) { m.parts.odometry = "x"; }),
+                testing::HasSubstr("filter.odometry: expected as-logged, learnt"));
+    EXPECT_THAT(refusal([](MethodSettings& m) { m.parts.detector = "x"; }),
+                testing::HasSubstr("filter.detector: expected"));
+}
+
+}  // namespace
+}  // namespace ddtool

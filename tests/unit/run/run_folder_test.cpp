@@ -1,0 +1,108 @@
+#include "run/run_folder.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "run/run_report.hpp"
+#include "small_run.hpp"
+#include "system/atomic_file.hpp"
+#include "temporary_folder.hpp"
+#include "thrown_text.hpp"
+
+namespace ddtool {
+namespace {
+
+std::set<std::string> names_in(const std::filesystem::path& folder) {
+    std::set<std::string> names;
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+        names.insert(entry.path().filename());
+    }
+    return names;
+}
+
+FilterRun write_run(const std::filesystem::path& place, bool with_snapshots, bool with_truth = true) {
+    test::SmallRun small;
+    RunFolder folder(place, with_snapshots);
+    folder.watch(small.filter());
+    FilterRun run = small.run([&](const SensorFrame& frame, bool moved) {
+        folder.add(frame, small.filter(), moved);
+        return true;
+    });
+    if (!with_truth) {
+        run.ground_truth.clear();
+    }
+    folder.finish(run, map_raster(run.map));
+    folder.write_json("config.json", Json::object());
+    const std::set<std::string> listed(folder.files().begin(), folder.files().end());
+    EXPECT_EQ(listed, names_in(place));
+    return run;
+}
+
+TEST(RunFolder, HoldsNothingOfAnEarlierRun) {
+    const test::TemporaryFolder folder;
+    write_run(folder / "a/b", true);
+    EXPECT_TRUE(std::filesystem::exists(folder / "a/b/snapshots.mcap"));
+    EXPECT_TRUE(std::filesystem::exists(folder / "a/b/ground_truth.tum"));
+    write_run(folder / "a/b", false, false);
+    EXPECT_FALSE(std::filesystem::exists(folder / "a/b/snapshots.mcap"));
+    EXPECT_FALSE(std::filesystem::exists(folder / "a/b/ground_truth.tum"));
+}
+
+TEST(RunFolder, KeepsTheEarlierRunWhenThisOneFails) {
+    const test::TemporaryFolder folder;
+    write_run(folder / "out", true);
+    const std::set<std::string> before = names_in(folder / "out");
+    const std::string log = read_file(folder / "out/result.mcap");
+    {
+        test::SmallRun small;
+        RunFolder again(folder / "out", true);
+        again.add({}, (small.run([](const SensorFrame&, bool) { return false; }), small.filter()), true);
+    }
+    EXPECT_EQ(names_in(folder / "out"), before);
+    EXPECT_EQ(read_file(folder / "out/result.mcap"), log);
+}
+
+TEST(RunFolder, IsNamedWhereItCannotBeMade) {
+    const test::TemporaryFolder folder;
+    write_file(folder / "file", "");
+    EXPECT_THAT(test::thrown_text([&] { RunFolder(folder / "file/out", false); }), testing::HasSubstr("file/out: "));
+}
+
+TEST(RunReport, CountsAndScores) {
+    test::SmallRun small;
+    std::size_t scans = 0;
+    const FilterRun run = small.run([&](const SensorFrame&, bool) { return ++scans > 0; });
+    const Json report = run_report(run, map_raster(run.map));
+    EXPECT_EQ(report.at("scans"), scans);
+    EXPECT_NEAR(report.at("path_m"), 6.0, 0.6);
+    EXPECT_NEAR(report.at("map").at("width_m"), 6.0, 0.3);
+    EXPECT_LT(report.at("errors").at("ate_m").at("rmse"), 0.1);
+    EXPECT_GT(report.at("stages").at("match_s"), 0.0);
+}
+
+TEST(RunReport, TellsHowLongStepsTook) {
+    EXPECT_TRUE(step_time_report({}).is_null());
+    test::SmallRun small;
+    RunCourse course;
+    small.run([&](const SensorFrame&, bool moved) {
+        if (moved) {
+            course.add(small.filter());
+        }
+        return true;
+    });
+    const Json steps = step_time_report(course);
+    EXPECT_GT(steps.at("median"), 0.0);
+    EXPECT_GE(steps.at("p99"), steps.at("median"));
+    EXPECT_GE(steps.at("most"), steps.at("p99"));
+}
+
+TEST(RunReport, HasNoErrorsWithoutTheTruth) {
+    FilterRun run;
+    run.trajectory = {{0, {}}};
+    EXPECT_FALSE(run_report(run, map_raster(run.map)).contains("errors"));
+}
+
+}  // namespace
+}  // namespace ddtool

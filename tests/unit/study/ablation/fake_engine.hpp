@@ -1,0 +1,69 @@
+#pragma once
+
+#include <filesystem>
+#include <fstream>
+#include <functional>
+
+#include "ddtool/base/error.hpp"
+#include "swarm/spread.hpp"
+#include "system/atomic_file.hpp"
+#include "train/engine.hpp"
+
+namespace ddtool::ablation::test {
+
+/// Not a network: the share of marked pixels, above or below what its settings' seed says.
+class BrightnessModel : public native::DegreeModel {
+public:
+    explicit BrightnessModel(const learning::TrainSettings& settings) {
+        description_.network = settings.model;
+        description_.loss = settings.loss;
+        description_.image = settings.image;
+        description_.label = settings.label;
+        description_.split = settings.split;
+        description_.seed = settings.seed;
+    }
+    [[nodiscard]] const native::ModelDescription& description() const override { return description_; }
+    void run(std::span<const float> images, std::span<double> degrees) override {
+        seen.assign(images.begin(), images.end());
+        std::fill(degrees.begin(), degrees.end(), description_.seed == 1 ? 0.9 : 0.1);
+        ++runs;
+    }
+
+    std::vector<float> seen;
+    std::size_t runs = 0;
+
+private:
+    native::ModelDescription description_;
+};
+
+/// "Trains" by writing the settings down, which is all that its models need.
+class FakeEngine : public learning::Engine {
+public:
+    [[nodiscard]] std::vector<std::string> networks() const override { return {"bright"}; }
+    learning::TrainResult train(const learning::TrainRequest& request) const override {
+        ++trainings;
+        if (request.settings.model == "broken") {
+            throw Error("no such network");
+        }
+        write_file(request.out / "best.pt", Json(request.settings).dump());
+        learning::TrainResult result;
+        result.best = request.out / "best.pt";
+        result.interrupted = stop;
+        return result;
+    }
+    void export_model(const std::filesystem::path& checkpoint, const std::filesystem::path& out) const override {
+        std::filesystem::copy_file(checkpoint, out, std::filesystem::copy_options::overwrite_existing);
+    }
+    [[nodiscard]] std::unique_ptr<native::DegreeModel> load(const std::filesystem::path& file,
+                                                            const learning::RunOptions& options) const override {
+        if (options.device != "cpu") {
+            throw Error("there is no " + options.device);
+        }
+        return std::make_unique<BrightnessModel>(Json::parse(read_file(file)).get<learning::TrainSettings>());
+    }
+
+    mutable std::size_t trainings = 0;
+    bool stop = false;
+};
+
+}  // namespace ddtool::ablation::test

@@ -1,0 +1,49 @@
+#include "study/compare/known_map.hpp"
+
+#include <gmock/gmock.h>
+
+#include "scores/trajectory_score.hpp"
+#include "sim/simulated_stream.hpp"
+#include "sim/world_catalogue.hpp"
+#include "temporary_folder.hpp"
+#include "thrown_text.hpp"
+#include "tiny_world.hpp"
+
+namespace ddtool::compare {
+namespace {
+
+/// ATE of the method's trajectory over a drive of which every scan's information passes through `seen`.
+template <typename Seen>
+double ate_m(const Seen& seen) {
+    const ddtool::test::TemporaryFolder folder;
+    sim::SimulationSettings settings;
+    settings.lidar.beams = 90;
+    settings.odometry = sim::odometry_preset("poor");
+    sim::SimulatedStream stream(sim::load_world(ddtool::test::write_tiny_world(folder / "tiny.json")), settings);
+    KnownMapMethod method(settings.odometry, 1);
+    Trajectory truth;
+    while (std::optional<SensorFrame> frame = stream.next()) {
+        frame->fisher_information = seen(*frame->fisher_information);
+        truth.push_back({frame->scan.stamp_ns, *frame->world_from_robot});
+        method.process(*frame);
+    }
+    return score_against(method.trajectory(), truth).absolute->translation_m.rmse;
+}
+
+TEST(KnownMap, KnowsMoreTheMoreTheScansTell) {
+    using Matrix = Eigen::Matrix3d;
+    const double all = ate_m([](const Matrix& information) { return information; });
+    const double a_hundredth = ate_m([](const Matrix& information) { return Matrix(0.01 * information); });
+    const double nothing = ate_m([](const Matrix& /*information*/) { return Matrix(Matrix::Zero()); });
+    EXPECT_LT(all, 0.002);
+    EXPECT_LT(1.5 * all, a_hundredth);
+    EXPECT_LT(1.5 * a_hundredth, nothing);
+}
+
+TEST(KnownMap, IsForSimulatedWorldsOnly) {
+    KnownMapMethod method({}, 1);
+    EXPECT_THAT(ddtool::test::thrown_text([&] { method.process({}); }), testing::HasSubstr("known-map"));
+}
+
+}  // namespace
+}  // namespace ddtool::compare

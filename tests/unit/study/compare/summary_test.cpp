@@ -1,0 +1,103 @@
+#include "study/compare/summary.hpp"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+#include "study/compare/median_run.hpp"
+#include "study/compare/result_tables.hpp"
+
+namespace ddtool::compare {
+namespace {
+
+/// Two methods on two worlds, with ATEs given by a function; a negative one is a failed run.
+struct Made {
+    Experiment experiment;
+    std::vector<Cell> cells;
+    std::vector<CellResult> results;
+};
+
+template <typename AteOf>
+Made made(std::size_t seeds, AteOf&& ate_of) {
+    Made all{.experiment = {}, .cells = {}, .results = {}};
+    for (const char* name : {"s1", "s2"}) {
+        all.experiment.worlds.emplace_back(Json(name), Json::object(), "test");
+    }
+    for (const char* name : {"first", "second"}) {
+        all.experiment.methods.emplace_back(Json{{"name", name}, {"kind", "odometry"}}, Json::object(), "test",
+                                            DetectorTable());
+    }
+    for (std::size_t seed = 0; seed < seeds; ++seed) {
+        all.experiment.seeds.push_back(seed + 1);
+        for (std::size_t world = 0; world < 2; ++world) {
+            for (std::size_t method = 0; method < 2; ++method) {
+                Cell cell;
+                cell.world = world;
+                cell.method = method;
+                cell.seed = seed;
+                all.cells.push_back(cell);
+                all.results.emplace_back();
+                const double ate_m = ate_of(world, method, seed);
+                if (ate_m < 0.0) {
+                    all.results.back().failure = "broke";
+                } else {
+                    all.results.back().score["ate_m"]["rmse"] = ate_m;
+                }
+            }
+        }
+    }
+    return all;
+}
+
+std::vector<Summary> summaries_of(const Made& all) { return summaries_of(all.experiment, all.cells, all.results); }
+
+double better_on_second_world(std::size_t world, std::size_t method, std::size_t seed) {
+    return (world == 1 && method == 1 ? 0.1 : 1.0) + 0.01 * static_cast<double>(seed * (1 + method));
+}
+
+TEST(Summary, PairsOverSeedsAndCorrectsForTheNumberOfTests) {
+    const Made all = made(10, better_on_second_world);
+    const std::vector<Summary> summaries = summaries_of(all);
+    ASSERT_EQ(summaries.size(), 4U);  // the other errors are in no run
+    EXPECT_FALSE(summaries[0].against_baseline);
+    EXPECT_DOUBLE_EQ(summaries[3].against_baseline->p_value, std::exp2(-9));
+    EXPECT_DOUBLE_EQ(summaries[3].holm_p_value, std::exp2(-8));  // the smaller of two
+    EXPECT_LT(summaries[3].against_baseline->median_difference, 0.0);
+}
+
+TEST(Summary, DoesNotDependOnTheOrderOfTheCells) {
+    Made all = made(7, better_on_second_world);
+    const std::string table = full_table(all.experiment, summaries_of(all)).csv();
+    std::reverse(all.cells.begin(), all.cells.end());
+    std::reverse(all.results.begin(), all.results.end());
+    EXPECT_EQ(full_table(all.experiment, summaries_of(all)).csv(), table);
+}
+
+TEST(Summary, CountsAFailedRunAsTheWorst) {
+    const Made all = made(3, [](std::size_t, std::size_t method, std::size_t seed) {
+        return method == 1 && seed == 0 ? -1.0 : 1.0 + static_cast<double>(seed);
+    });
+    const Summary second = summaries_of(all)[1];
+    EXPECT_EQ(second.failed, 1U);
+    EXPECT_EQ(median(second.values), 3.0);
+    EXPECT_EQ(failure_table(all.experiment, all.cells, all.results).json().size(), 2U);
+}
+
+TEST(Summary, HasNoneForAWorldWithoutAnyScore) {
+    const Made all = made(3, [](std::size_t world, std::size_t, std::size_t) { return world == 0 ? -1.0 : 1.0; });
+    const std::vector<Summary> summaries = summaries_of(all);
+    EXPECT_EQ(main_summary(summaries, 0, 1), nullptr);
+    EXPECT_NE(main_summary(summaries, 1, 1), nullptr);
+    EXPECT_EQ(overview_table(all.experiment, summaries).json()[0]["second"], "failed");
+}
+
+TEST(Summary, ShowsTheMiddleSeed) {
+    const Made all = made(5, [](std::size_t, std::size_t method, std::size_t seed) {
+        const double errors[]{5.0, 1.0, 3.0, 2.0, 4.0};
+        return errors[seed] + static_cast<double>(method);
+    });
+    EXPECT_EQ(median_seed(all.experiment, summaries_of(all), 0), 2U);
+}
+
+}  // namespace
+}  // namespace ddtool::compare

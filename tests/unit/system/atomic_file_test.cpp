@@ -1,0 +1,100 @@
+#include "system/atomic_file.hpp"
+
+#include <gmock/gmock.h>
+
+#include <fstream>
+#include <stdexcept>
+
+#include "temporary_folder.hpp"
+#include "thrown_text.hpp"
+
+namespace ddtool {
+namespace {
+
+using test::TemporaryFolder;
+using test::thrown_text;
+using testing::HasSubstr;
+
+std::size_t files_in(const TemporaryFolder& folder) {
+    return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(folder / "."), {}));
+}
+
+TEST(WriteFile, ThereAndBackKeepsEveryByte) {
+    const TemporaryFolder folder;
+    std::string content;
+    for (int byte = 0; byte < 256; ++byte) {
+        content.push_back(static_cast<char>(byte));
+    }
+    write_file(folder / "a", content);
+    EXPECT_EQ(read_file(folder / "a"), content);
+    write_file(folder / "a", "");
+    EXPECT_EQ(read_file(folder / "a"), "");
+    EXPECT_EQ(files_in(folder), 1U);
+}
+
+TEST(WriteFile, FailureKeepsTheOldFileAndLeavesNoPart) {
+    const TemporaryFolder folder;
+    write_file(folder / "a", "old");
+    EXPECT_THROW(write_file(folder / "a",
+                            [](std::ostream& out) {
+                                out << "half";
+                                throw std::runtime_error("stopped");
+                            }),
+                 std::runtime_error);
+    EXPECT_EQ(read_file(folder / "a"), "old");
+    EXPECT_EQ(files_in(folder), 1U);
+}
+
+TEST(WriteFile, StreamThatFailedIsAnError) {
+    const TemporaryFolder folder;
+    const auto fail = [](std::ostream& out) { out.setstate(std::ios::badbit); };
+    EXPECT_THAT(thrown_text([&] { write_file(folder / "a", fail); }), HasSubstr("a: cannot write"));
+    EXPECT_EQ(files_in(folder), 0U);
+}
+
+TEST(WriteFile, NamesTheFileAndTheReason) {
+    const TemporaryFolder folder;
+    EXPECT_THAT(thrown_text([&] { write_file(folder / "none/a", "x"); }), HasSubstr("none/a: cannot create: No such"));
+    std::filesystem::create_directory(folder / "taken");
+    EXPECT_THAT(thrown_text([&] { write_file(folder / "taken", "x"); }), HasSubstr("taken: cannot rename"));
+    EXPECT_EQ(files_in(folder), 1U);
+}
+
+TEST(AtomicFile, AppearsOnlyWhenCommitted) {
+    const TemporaryFolder folder;
+    AtomicFile file(folder / "a");
+    std::ofstream(file.part()) << "new";
+    EXPECT_FALSE(std::filesystem::exists(folder / "a"));
+    file.commit();
+    EXPECT_EQ(read_file(folder / "a"), "new");
+}
+
+TEST(AtomicFile, AfterCommitLeavesTheNextWritersPartAlone) {
+    const TemporaryFolder folder;
+    {
+        AtomicFile file(folder / "a");
+        std::ofstream(file.part()) << "first";
+        file.commit();
+        std::ofstream(file.part()) << "second, by another";
+    }
+    EXPECT_EQ(read_file(folder / "a.part"), "second, by another");
+}
+
+TEST(AtomicFile, DoesNotFollowALinkUnderThePartsName) {
+    const TemporaryFolder folder;
+    write_file(folder / "elsewhere", "precious");
+    std::filesystem::create_symlink(folder / "elsewhere", folder / "a.part");
+    write_file(folder / "a", "new");
+    EXPECT_EQ(read_file(folder / "elsewhere"), "precious");
+    EXPECT_EQ(read_file(folder / "a"), "new");
+    EXPECT_FALSE(std::filesystem::is_symlink(folder / "a"));
+}
+
+TEST(ReadFile, NamesTheFileAndTheReason) {
+    const TemporaryFolder folder;
+    EXPECT_THAT(thrown_text([&] { read_file(folder / "none"); }), HasSubstr("none: cannot read: No such file"));
+    EXPECT_THAT(thrown_text([&] { read_file(folder / "."); }), HasSubstr("cannot read: Is a directory"));
+}
+
+}  // namespace
+}  // namespace ddtool

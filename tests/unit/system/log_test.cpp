@@ -1,0 +1,43 @@
+#include "system/log.hpp"
+
+#include <gtest/gtest.h>
+
+#include "ddtool/base/error.hpp"
+
+namespace ddtool {
+namespace {
+
+/// Each line at its own level, as it comes out on stderr when `level` is the least to write.
+std::string written_at(LogLevel level) {
+    set_log_level(level);
+    testing::internal::CaptureStderr();
+    log_debug("a {brace}");
+    log_info("b");
+    log_warning("c");
+    log_error("d");
+    set_log_level(LogLevel::info);
+    return testing::internal::GetCapturedStderr();
+}
+
+TEST(Log, WritesALineForWhatIsAtTheLevelOrAbove) {
+    EXPECT_EQ(written_at(LogLevel::debug),
+              "ddtool: debug: a {brace}\nddtool: info: b\nddtool: warning: c\nddtool: error: d\n");
+    EXPECT_EQ(written_at(LogLevel::warning), "ddtool: warning: c\nddtool: error: d\n");
+    EXPECT_EQ(written_at(LogLevel::error), "ddtool: error: d\n");
+}
+
+TEST(Log, ShowsWhatItWouldWrite) {
+    set_log_level(LogLevel::warning);
+    EXPECT_FALSE(log_shows(LogLevel::info));
+    EXPECT_TRUE(log_shows(LogLevel::warning));
+    set_log_level(LogLevel::info);
+    EXPECT_TRUE(log_shows(LogLevel::info));
+}
+
+TEST(Log, LevelsHaveNames) {
+    EXPECT_EQ(log_level_named("warning"), LogLevel::warning);
+    EXPECT_THROW(log_level_named("loud"), UsageError);
+}
+
+}  // namespace
+}  // namespace ddtool
