@@ -155,6 +155,7 @@ ExitCode SlamCommand::run(const Json& settings) {
     const Json report{{"command", "slam"},
                       {"versions", version_report()},
                       {"settings", settings},
+                      {"parts", parts_json(filter_settings.method)},
                       {"log", log_report(log_file_, scans.summary())},
                       {"interrupted", interrupt.made()},
                       {"run", run},

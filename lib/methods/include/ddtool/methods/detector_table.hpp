@@ -12,10 +12,11 @@ namespace ddtool {
 
 struct DetectionSettings {
     double covariance_sd_m = 0.1;  ///< threshold of the detector covariance
-    /// The detector is consulted where matching is in doubt: where the match left this share of the step swarm's
-    /// predicted spread, or more. Elsewhere the degree is 0. 0 consults always.
+    /// Of the gate in-doubt: matching is in doubt where it left this share of the step swarm's predicted spread, or
+    /// more. Elsewhere the detector is not asked and the degree is 0. At 0 matching is always in doubt.
     double doubt_share = 0.3;
-    /// Between two consultations the robot drives this far; the degree stays what it was.
+    /// Of the gate in-doubt: once the detector has answered, the robot drives this far before it is asked again. The
+    /// degree stays what it was meanwhile.
     double every_m = 0.3;
 };
 
@@ -34,7 +35,8 @@ public:
 
     /// Without the files.
     [[nodiscard]] std::vector<std::string> names() const;
-    /// An empty function for "none". Throws UsageError for a name that is none of these.
+    /// The detector itself, which answers whenever it is called; an empty function for "none". Throws UsageError for a
+    /// name that is none of these.
     [[nodiscard]] DegeneracyDetector make(const std::string& name, const DetectionSettings& settings,
                                           const MotionNoise& noise) const;
     /// Of the network's weights, which decide with the settings what a detector says; empty for a rule.
@@ -45,7 +47,14 @@ private:
     std::map<std::string, FileMaker> file_kinds_;
 };
 
-/// The detector, asked only where and as often as the settings say.
-DegeneracyDetector consulted_in_doubt(DegeneracyDetector detector, const DetectionSettings& settings);
+/// The gates by name: in-doubt, none.
+std::vector<std::string> gate_names();
+
+/// The gate of a detector where nobody names one: none for `none`, `always` and `oracle`, which are there to be
+/// compared with and have to answer at every update, in-doubt for all others.
+std::string usual_gate(const std::string& detector);
+
+/// The detector behind the gate of that name. An empty detector stays empty. Throws UsageError for an unknown gate.
+DegeneracyDetector gated(const std::string& gate, DegeneracyDetector detector, const DetectionSettings& settings);
 
 }  // namespace ddtool
