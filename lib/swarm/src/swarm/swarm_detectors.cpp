@@ -4,10 +4,8 @@
 #include <cmath>
 
 #include "ddtool/base/error.hpp"
-#include "ddtool/swarm/swarm_shape.hpp"
 #include "swarm/physical_degeneracy.hpp"
-#include "swarm/spread.hpp"
-#include "swarm/weights.hpp"
+#include "swarm/rules.hpp"
 
 namespace ddtool {
 namespace {
@@ -28,23 +26,19 @@ Degeneracy oracle(const ParticleSnapshot& swarm, const MotionNoise& noise) {
 
 DegeneracyDetector covariance_detector(double threshold_sd_m) {
     return [threshold_sd_m](const ParticleSnapshot& swarm) -> Degeneracy {
-        const double largest = swarm_shape(swarm.particles, &SnapshotParticle::pose).major_variance_m2;
+        const double largest = covariance_eigenvalue_m2(swarm.particles, &SnapshotParticle::pose);
         return {largest / (largest + squared(threshold_sd_m))};
     };
 }
 
 DegeneracyDetector step_spread_detector() {
-    return [](const ParticleSnapshot& swarm) -> Degeneracy {
-        const double predicted = spread_m(swarm.particles, &SnapshotParticle::predicted_motion);
-        const double matched = spread_m(swarm.particles, &SnapshotParticle::matched_motion);
-        return {predicted > 0.0 ? std::min(1.0, matched / predicted) : 0.0};
-    };
+    return
+        [](const ParticleSnapshot& swarm) -> Degeneracy { return {std::min(1.0, step_spread_ratio(swarm.particles))}; };
 }
 
 DegeneracyDetector effective_size_detector() {
     return [](const ParticleSnapshot& swarm) -> Degeneracy {
-        const auto count = static_cast<double>(swarm.particles.size());
-        return {std::clamp(1.0 - effective_sample_size(weights_of(swarm.particles)) / count, 0.0, 1.0)};
+        return {std::clamp(1.0 - effective_share(swarm.particles), 0.0, 1.0)};
     };
 }
 
