@@ -165,7 +165,7 @@ ParticleSnapshot Rbpf::snapshot(const SensorFrame& frame, const Pose2& odometry_
         log_weights.push_back(settings_.likelihood_gain * particle.log_likelihood);
     }
     const std::vector<double> weights = normalised_weights(log_weights);
-    ParticleSnapshot swarm{frame.scan.stamp_ns, updates_, odometry_motion, {}, frame.fisher_information};
+    ParticleSnapshot swarm{frame.scan.stamp_ns, updates_, odometry_motion, {}};
     for (std::size_t index = 0; index < particles_.size(); ++index) {
         const Particle& particle = particles_[index];
         swarm.particles.push_back({particle.pose, particle.matched_motion, particle.predicted_motion,

@@ -45,15 +45,13 @@ private:
 
 DetectorTable::DetectorTable()
     : makers_{
-          {"none", [](const DetectionSettings&, const MotionNoise&) { return DegeneracyDetector(); }},
-          {"covariance", [](const DetectionSettings& settings,
-                            const MotionNoise&) { return covariance_detector(settings.covariance_sd_m); }},
-          {"step-spread", [](const DetectionSettings&, const MotionNoise&) { return step_spread_detector(); }},
-          {"neff", [](const DetectionSettings&, const MotionNoise&) { return effective_size_detector(); }},
-          {"always", [](const DetectionSettings&, const MotionNoise&) { return always_degenerate(); }},
-          {"oracle", [](const DetectionSettings&, const MotionNoise& noise) { return oracle_detector(noise); }},
-          {native::shipped_model_name, [](const DetectionSettings&,
-                                          const MotionNoise&) { return native::network_detector(native::shipped_model()); }},
+          {"none", [](const Ingredients&) { return DegeneracyDetector(); }},
+          {"covariance", [](const Ingredients& from) { return covariance_detector(from.settings.covariance_sd_m); }},
+          {"step-spread", [](const Ingredients&) { return step_spread_detector(); }},
+          {"neff", [](const Ingredients&) { return effective_size_detector(); }},
+          {"always", [](const Ingredients&) { return always_degenerate(); }},
+          {"oracle", [](const Ingredients& from) { return oracle_detector(from.noise, from.truth); }},
+          {native::shipped_model_name, [](const Ingredients&) { return native::network_detector(native::shipped_model()); }},
       },
       file_kinds_{{".safetensors",
                    [](const std::string& file) { return native::network_detector(native::load_model(std::filesystem::path(file))); }}} {}
@@ -69,7 +67,7 @@ std::vector<std::string> DetectorTable::names() const {
 DegeneracyDetector DetectorTable::make(const std::string& name, const DetectionSettings& settings,
                                        const MotionNoise& noise) const {
     if (const auto found = makers_.find(name); found != makers_.end()) {
-        return found->second(settings, noise);
+        return found->second({settings, noise, truth_});
     }
     const auto kind = file_kinds_.find(std::filesystem::path(name).extension().string());
     if (kind == file_kinds_.end()) {

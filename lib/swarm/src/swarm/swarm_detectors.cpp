@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "ddtool/base/error.hpp"
+#include "ddtool/robot/scan_truth.hpp"
 #include "swarm/physical_degeneracy.hpp"
 #include "swarm/rules.hpp"
 
@@ -11,16 +13,6 @@ namespace ddtool {
 namespace {
 
 double squared(double value) { return value * value; }
-
-Degeneracy oracle(const ParticleSnapshot& swarm, const MotionNoise& noise) {
-    if (!swarm.fisher_information) {
-        throw Error("detector oracle: expected a log with the true Fisher information, as ddtool simulate writes it");
-    }
-    const PhysicalDegeneracy physics =
-        physical_degeneracy(*swarm.fisher_information, motion_sigmas(swarm.odometry_motion, noise));
-    // Written so that an infinite sd gives 1.
-    return {1.0 / (1.0 + squared(physics.odometry_sd_m / physics.weak_sd_m))};
-}
 
 }  // namespace
 
@@ -46,8 +38,19 @@ DegeneracyDetector always_degenerate() {
     return [](const ParticleSnapshot& /*swarm*/) -> Degeneracy { return {1.0}; };
 }
 
-DegeneracyDetector oracle_detector(const MotionNoise& noise) {
-    return [noise](const ParticleSnapshot& swarm) { return oracle(swarm, noise); };
+DegeneracyDetector oracle_detector(const MotionNoise& noise, std::shared_ptr<const ScanTruth> truth) {
+    return [noise, truth = std::move(truth)](const ParticleSnapshot& swarm) -> Degeneracy {
+        const std::optional<Eigen::Matrix3d> information =
+            truth ? truth->fisher_information(swarm.stamp_ns) : std::nullopt;
+        if (!information) {
+            throw Error(
+                "detector oracle: expected a log with the true Fisher information, as ddtool simulate writes it");
+        }
+        const PhysicalDegeneracy physics =
+            physical_degeneracy(*information, motion_sigmas(swarm.odometry_motion, noise));
+        // Written so that an infinite sd gives 1.
+        return {1.0 / (1.0 + squared(physics.odometry_sd_m / physics.weak_sd_m))};
+    };
 }
 
 }  // namespace ddtool

@@ -2,13 +2,17 @@
 
 #include <functional>
 #include <map>
+#include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "ddtool/swarm/degeneracy_detector.hpp"
 #include "ddtool/swarm/motion_model.hpp"
 
 namespace ddtool {
+
+class ScanTruth;
 
 struct DetectionSettings {
     double covariance_sd_m = 0.1;  ///< threshold of the detector covariance
@@ -24,12 +28,14 @@ struct DetectionSettings {
 /// files.
 class DetectorTable {
 public:
-    using Maker = std::function<DegeneracyDetector(const DetectionSettings& settings, const MotionNoise& noise)>;
     using FileMaker = std::function<DegeneracyDetector(const std::string& file)>;
 
     /// Those that need no LibTorch: none, always, covariance, step-spread, neff, oracle, native::shipped_model_name,
     /// and files that end with ".safetensors".
     DetectorTable();
+    /// Tells the detectors that are made from now on where the truth of their scans will be
+    /// (SensorStream::tell_truth()); `oracle` needs it.
+    void know(std::shared_ptr<const ScanTruth> truth) { truth_ = std::move(truth); }
     /// Makes detectors of files that end so, such as ".pt".
     void add_file_kind(const std::string& ending, FileMaker maker) { file_kinds_[ending] = std::move(maker); }
 
@@ -43,8 +49,15 @@ public:
     [[nodiscard]] std::string model_fingerprint(const std::string& name) const;
 
 private:
-    std::map<std::string, Maker> makers_;
+    struct Ingredients {
+        const DetectionSettings& settings;
+        const MotionNoise& noise;
+        const std::shared_ptr<const ScanTruth>& truth;
+    };
+
+    std::map<std::string, std::function<DegeneracyDetector(const Ingredients&)>> makers_;
     std::map<std::string, FileMaker> file_kinds_;
+    std::shared_ptr<const ScanTruth> truth_;
 };
 
 /// The gates by name: in-doubt, none.
