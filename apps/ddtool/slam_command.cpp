@@ -5,6 +5,7 @@
 #include <iostream>
 
 #include "ddtool/methods/driven_scans.hpp"
+#include "ddtool/robot/scan_truth.hpp"
 #include "detectors.hpp"
 #include "logs/stream/live_log.hpp"
 #include "methods/settings_json.hpp"
@@ -130,12 +131,16 @@ ExitCode SlamCommand::run(const Json& settings) {
     const auto start = Clock::now();
     const FilterSettings filter_settings = filter_settings_from_json(settings.at("filter"));
     ThreadPool threads(threads_);
+    const auto truth = std::make_shared<ScanTruth>();
+    DetectorTable detectors = all_detectors();
+    detectors.know(truth);
     // Before the log is opened: a detector that needs LibTorch starts the command anew.
-    std::unique_ptr<Rbpf> filter = make_filter(filter_settings, all_detectors(), threads);
+    std::unique_ptr<Rbpf> filter = make_filter(filter_settings, detectors, threads);
     const auto served = serve_->count() > 0 ? std::make_unique<Served>(address_, port_) : nullptr;
     LogReport problems;
     const InterruptRequest interrupt;
     DrivenScans scans(open(log_options(settings.at("log")), interrupt, problems), filter_settings.rbpf);
+    scans.tell_truth(truth);
     RunFolder folder(folder_, with_snapshots_);
     const FilterRun result = run_over(scans, std::move(filter), interrupt, folder, served.get());
     return_freed_memory();  // the particles' maps, before pictures are drawn
@@ -155,6 +160,7 @@ ExitCode SlamCommand::run(const Json& settings) {
     const Json report{{"command", "slam"},
                       {"versions", versions},
                       {"settings", settings},
+                      {"parts", parts_json(filter_settings.method)},
                       {"log", log},
                       {"interrupted", interrupt.made()},
                       {"run", to_run_json(run)},

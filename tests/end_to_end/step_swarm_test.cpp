@@ -10,7 +10,7 @@
 #include "ddtool/filter/rbpf.hpp"
 #include "sim/simulated_stream.hpp"
 #include "sim/world_catalogue.hpp"
-#include "swarm/spread.hpp"
+#include "swarm/rules.hpp"
 
 namespace ddtool {
 namespace {

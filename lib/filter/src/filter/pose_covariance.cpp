@@ -37,14 +37,4 @@ Eigen::Matrix3d corrected_covariance(const Eigen::Matrix3d& covariance, const Ei
     return symmetric(covariance * (Eigen::Matrix3d::Identity() + information * covariance).inverse());
 }
 
-Eigen::Matrix3d pose_scatter(const ParticleSnapshot& swarm, const Pose2& centre) {
-    Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();
-    for (const SnapshotParticle& particle : swarm.particles) {
-        const Eigen::Vector3d apart(particle.pose.x_m - centre.x_m, particle.pose.y_m - centre.y_m,
-                                    wrap_angle(particle.pose.theta_rad - centre.theta_rad));
-        scatter += particle.weight * apart * apart.transpose();
-    }
-    return scatter;
-}
-
 }  // namespace ddtool

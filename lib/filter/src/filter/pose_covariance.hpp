@@ -4,7 +4,6 @@
 
 #include "ddtool/robot/pose2.hpp"
 #include "ddtool/swarm/motion_model.hpp"
-#include "ddtool/swarm/particle_snapshot.hpp"
 
 namespace ddtool {
 
@@ -19,8 +18,5 @@ Eigen::Matrix3d predicted_covariance(const Eigen::Matrix3d& covariance, const Po
 
 /// Covariance after a measurement of that information: (P^-1 + I)^-1, also where I is singular.
 Eigen::Matrix3d corrected_covariance(const Eigen::Matrix3d& covariance, const Eigen::Matrix3d& information);
-
-/// Weighted covariance (x, y, theta in the world) of a swarm's poses about `centre`, headings as wrapped differences.
-Eigen::Matrix3d pose_scatter(const ParticleSnapshot& swarm, const Pose2& centre);
 
 }  // namespace ddtool

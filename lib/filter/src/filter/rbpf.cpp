@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "filter/pose_covariance.hpp"
+#include "swarm/moments.hpp"
 #include "swarm/weights.hpp"
 
 namespace ddtool {
@@ -74,7 +75,7 @@ std::optional<Update> Rbpf::update(const SensorFrame& frame) {
         learn(step);
     }
     update.pose = best().pose;
-    update.covariance = covariance_ = best().covariance + pose_scatter(update.corrected, best().pose);
+    update.covariance = covariance_ = best().covariance + pose_scatter(update.corrected.particles, best().pose);
     update.resampled = !first && timed(times.resample_s, [&] { return resample_if_poor(update.corrected); });
     timed(times.map_s, [&] { map(scan, frame.odom_from_robot); });
     remember(frame, odometry_motion);
@@ -238,11 +239,8 @@ ParticleSnapshot Rbpf::snapshot(const SensorFrame& frame, const Pose2& odometry_
         log_weights.push_back(settings_.likelihood_gain * particle.log_likelihood);
     }
     const std::vector<double> weights = normalised_weights(log_weights);
-    ParticleSnapshot swarm{.stamp_ns = frame.scan.stamp_ns,
-                           .update = updates_,
-                           .odometry_motion = odometry_motion,
-                           .particles = {},
-                           .fisher_information = frame.fisher_information};
+    ParticleSnapshot swarm{
+        .stamp_ns = frame.scan.stamp_ns, .update = updates_, .odometry_motion = odometry_motion, .particles = {}};
     for (std::size_t index = 0; index < particles_.size(); ++index) {
         const Particle& particle = particles_[index];
         swarm.particles.push_back({.pose = particle.pose,

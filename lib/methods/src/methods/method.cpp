@@ -18,11 +18,12 @@ struct Method {
 const std::vector<Method>& methods() {
     static const std::vector<Method> table{
         {"gmapping", {}},
-        {"paper", {"covariance", "coarse-fine", "lidar-score", "enhanced", "as-logged"}},
-        {"anti-degeneracy", {native::shipped_model_name, "none", "information", "systematic", "learnt"}},
-        {"fisher-gate", {"none", "none", "eigenvalue-gate", "systematic", "as-logged"}},
-        {"dn-csm", {"none", "correlative", "none", "systematic", "as-logged"}, true},
-        {"odometry", {"none", "none", "odometry", "systematic", "as-logged"}, true},
+        {"paper",
+         {.detector = "covariance", .search = "coarse-fine", .trust = "lidar-score", .resampling = "enhanced"}},
+        {"anti-degeneracy", {.detector = native::shipped_model_name, .trust = "information", .odometry = "learnt"}},
+        {"fisher-gate", {.trust = "eigenvalue-gate"}},
+        {"dn-csm", {.search = "correlative"}, true},
+        {"odometry", {.trust = "odometry"}, true},
     };
     return table;
 }
@@ -88,7 +89,8 @@ std::function<std::unique_ptr<OdometryModel>()> odometry_of(const std::string& n
 FilterStrategies strategies_of(const FilterSettings& settings, const DetectorTable& detectors) {
     const MethodParts parts = parts_of(settings.method);
     FilterStrategies strategies{
-        .detector = detectors.make(parts.detector, settings.method.detection, settings.rbpf.motion),
+        .detector = gated(parts.gate, detectors.make(parts.detector, settings.method.detection, settings.rbpf.motion),
+                          settings.method.detection),
         .corrections = {search_of(parts.search, settings.method), trust_of(parts.trust, settings.method)},
         .resampling = resampling_of(parts.resampling, settings.method),
         .odometry = odometry_of(parts.odometry, settings)};
@@ -108,11 +110,14 @@ std::vector<std::string> method_names() {
 
 MethodParts parts_of(const MethodSettings& settings) {
     MethodParts parts = method_of(settings.method).parts;
-    for (const auto part : {&MethodParts::detector, &MethodParts::search, &MethodParts::trust, &MethodParts::resampling,
-                            &MethodParts::odometry}) {
+    for (const auto part : {&MethodParts::detector, &MethodParts::gate, &MethodParts::search, &MethodParts::trust,
+                            &MethodParts::resampling, &MethodParts::odometry}) {
         if (!(settings.parts.*part).empty()) {
             parts.*part = settings.parts.*part;
         }
+    }
+    if (parts.gate.empty()) {
+        parts.gate = usual_gate(parts.detector);
     }
     return parts;
 }

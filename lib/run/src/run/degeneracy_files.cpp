@@ -6,7 +6,6 @@
 #include <ostream>
 
 #include "report/figure.hpp"
-#include "report/map_picture.hpp"
 
 namespace ddtool {
 namespace {
@@ -61,7 +60,7 @@ void DegeneracyCsv::add(const UpdateSummary& update) {
 void write_degeneracy_picture(const std::filesystem::path& file, const std::vector<UpdateSummary>& updates,
                               const MapRaster& map, const Trajectory& path) {
     plot::Figure figure({.height_px = 900.0, .row_shares = {3.0, 1.0}});
-    const std::vector<std::uint8_t> pixels = grey_pixels(map);
+    const std::vector<std::uint8_t> pixels = map_pixels(map);
     std::vector<double> x_m, y_m, degree;
     for (const auto& [stamp_ns, pose] : places_of(updates, path)) {
         x_m.push_back(pose.x_m);

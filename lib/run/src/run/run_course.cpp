@@ -1,6 +1,7 @@
 #include "run/run_course.hpp"
 
 #include "scores/association.hpp"
+#include "swarm/rules.hpp"
 #include "swarm/weights.hpp"
 
 namespace ddtool {
@@ -14,21 +15,13 @@ double mean_distance_m(const ParticleSnapshot& before, const ParticleSnapshot& a
     return sum_m / static_cast<double>(before.particles.size());
 }
 
-double dispersion_of(const ParticleSnapshot& swarm) {
-    std::vector<double> log_likelihoods;
-    for (const SnapshotParticle& particle : swarm.particles) {
-        log_likelihoods.push_back(particle.log_likelihood);
-    }
-    return dispersion(log_likelihoods);
-}
-
 }  // namespace
 
 UpdateSummary summary_of(const Update& update) {
     const std::vector<SnapshotParticle>& particles = update.matched.particles;
     return {.stamp_ns = update.matched.stamp_ns,
             .degree = update.degeneracy.degree,
-            .dispersion = dispersion_of(update.matched),
+            .dispersion = dispersion(particles, &SnapshotParticle::log_likelihood),
             .swarm = swarm_shape(particles, &SnapshotParticle::pose),
             .effective_size = effective_sample_size(weights_of(particles)),
             .corrected_m = mean_distance_m(update.matched, update.corrected),

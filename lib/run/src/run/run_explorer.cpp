@@ -5,7 +5,7 @@
 #include <string>
 
 #include "report/data_uri.hpp"
-#include "report/map_picture.hpp"
+#include "report/map_raster.hpp"
 #include "report/thinning.hpp"
 #include "scores/absolute_error.hpp"
 #include "system/png_file.hpp"
@@ -139,7 +139,7 @@ Json times_json(const RunCourse& course, const FilterRun& run, const std::vector
 }
 
 Json map_json(const MapRaster& map) {
-    const std::vector<std::uint8_t> pixels = grey_pixels(map);
+    const std::vector<std::uint8_t> pixels = map_pixels(map);
     const std::string png =
         png_bytes({.width_px = map.width, .height_px = map.height, .channels = 1, .pixels = pixels});
     return {{"image", html::png_uri(png)},
