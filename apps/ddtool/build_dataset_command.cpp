@@ -1,13 +1,14 @@
-#include "build_dataset_command.hpp"
-
 #include <algorithm>
 #include <chrono>
 #include <iostream>
+#include <memory>
 
+#include "commands.hpp"
 #include "dataset/assemble.hpp"
 #include "dataset/build_settings.hpp"
 #include "dataset/counts.hpp"
 #include "dataset/image_files.hpp"
+#include "dataset/part_runner.hpp"
 #include "dataset_report.hpp"
 #include "system/log.hpp"
 #include "system/progress.hpp"
@@ -19,8 +20,17 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using dataset::RunResult;
 
+struct BuildRequest {
+    std::string folder;
+    std::string shard;
+    std::vector<std::string> merged;
+    std::size_t threads = 0;
+    bool with_images = false;
+    bool as_json = false;
+};
+
 /// Whether all runs were made and nothing in their logs was skipped; says what was.
-bool complete(const std::vector<RunResult>& results) {
+bool all_runs_made(const std::vector<RunResult>& results) {
     const auto failed =
         std::count_if(results.begin(), results.end(), [](const RunResult& result) { return !result.failure.empty(); });
     const auto damaged = std::count_if(results.begin(), results.end(), [](const RunResult& result) {
@@ -40,66 +50,70 @@ bool complete(const std::vector<RunResult>& results) {
     return failed == 0 && damaged == 0;
 }
 
-}  // namespace
-
-BuildDatasetCommand::BuildDatasetCommand()
-    : Command("build-dataset", "Labelled particle snapshots from worlds, logs and recordings",
-              "ddtool build-dataset --config configs/dataset/small.json --out out/small") {}
-
-void BuildDatasetCommand::add_options(CLI::App& app) {
-    app.add_option("--out", folder_, "Folder of the data set; runs that are finished there are not made again")
-        ->type_name("DIR")
-        ->required();
-    app.add_option("--threads", threads_, "Runs at the same time; 0 is one a core")->capture_default_str();
-    auto* shard = app.add_option("--shard", shard_, "Make only every n-th run, from the i-th, and no data set yet")
-                      ->type_name("i/n");
-    app.add_option("--merge", merged_, "Make no run: put together what --shard made in these folders and in --out")
-        ->type_name("DIR")
-        ->expected(1, -1)
-        ->excludes(shard);
-    app.add_flag("--images", with_images_,
-                 "Write every sample as PNG, too, in folders by label, split, part and class");
-    app.add_flag("--json", as_json_, "Print JSON instead of tables");
-}
-
-Json BuildDatasetCommand::default_settings() const { return dataset::default_build_json(); }
-
-std::vector<RunResult> BuildDatasetCommand::runs_of(const dataset::RunPlan& plan) const {
-    const dataset::WorkShare share = shard_.empty() ? dataset::WorkShare{} : dataset::parse_work_share(shard_);
-    dataset::PartStore store(folder_, merged_);
-    if (!merged_.empty()) {
+std::vector<RunResult> runs_of(const BuildRequest& request, const dataset::RunPlan& plan) {
+    const dataset::WorkShare share =
+        request.shard.empty() ? dataset::WorkShare{} : dataset::parse_work_share(request.shard);
+    dataset::PartStore store(request.folder, request.merged);
+    if (!request.merged.empty()) {
         return dataset::find_parts(plan, store);
     }
-    ThreadPool threads(threads_);
+    ThreadPool threads(request.threads);
     return dataset::make_parts(plan, share, store, threads, program_version());
 }
 
-ExitCode BuildDatasetCommand::run(const Json& settings) {
+ExitCode build_dataset(const BuildRequest& request, const Json& settings) {
     const Clock::time_point start = Clock::now();
     const auto elapsed = [&] { return format_duration(std::chrono::duration<double>(Clock::now() - start).count()); };
     (void)dataset::assembly_from_json(settings);  // a value that makes no sense shows now, not after all runs
     const dataset::RunPlan plan = dataset::plan_runs(settings);
-    const std::vector<RunResult> results = runs_of(plan);
-    if (!shard_.empty()) {
-        log_info("shard " + shard_ + " made in " + elapsed());
-        return complete(results) ? ExitCode::done : ExitCode::done_with_loss;
+    const std::vector<RunResult> results = runs_of(request, plan);
+    if (!request.shard.empty()) {
+        log_info("shard " + request.shard + " made in " + elapsed());
+        return all_runs_made(results) ? ExitCode::done : ExitCode::done_with_loss;
     }
-    const dataset::Manifest manifest = dataset::assemble(folder_, settings, plan, results, program_version());
+    const dataset::Manifest manifest = dataset::assemble(request.folder, settings, plan, results, program_version());
     for (const std::string& shortage : dataset::shortages_in(manifest.counts)) {
         log_warning(shortage);
     }
-    const dataset::Dataset data(folder_);
+    const dataset::Dataset data(request.folder);
     const auto image = settings.at("image").get<ImageSettings>();
-    print_dataset(data, as_json_);
-    const std::filesystem::path pictures = std::filesystem::path(folder_) / "pictures";
+    print_dataset(data, request.as_json);
+    const std::filesystem::path pictures = std::filesystem::path(request.folder) / "pictures";
     draw_dataset(pictures, data, image);
-    const bool has_page = write_dataset_page(folder_, pictures, data);
-    if (with_images_) {
-        ThreadPool threads(threads_);
-        dataset::write_image_files(folder_, data, image, threads);
+    const bool has_page = write_dataset_page(request.folder, pictures, data);
+    if (request.with_images) {
+        ThreadPool threads(request.threads);
+        dataset::write_image_files(request.folder, data, image, threads);
     }
     log_info("built in " + elapsed());
-    return complete(results) && has_page ? ExitCode::done : ExitCode::done_with_loss;
+    return all_runs_made(results) && has_page ? ExitCode::done : ExitCode::done_with_loss;
+}
+
+}  // namespace
+
+Command build_dataset_command() {
+    const auto request = std::make_shared<BuildRequest>();
+    return {
+        .name = "build-dataset",
+        .summary = "Labelled particle snapshots from worlds, logs and recordings",
+        .example = "ddtool build-dataset --config configs/dataset/small.json --out out/small",
+        .settings = dataset::default_build_json(),
+        .options =
+            {
+                {"--out", &request->folder, "Folder of the data set; runs that are finished there are not made again",
+                 "DIR", Presence::required},
+                {"--threads", &request->threads, "Runs at the same time; 0 is one a core"},
+                {"--shard", &request->shard, "Make only every n-th run, from the i-th, and no data set yet", "i/n"},
+                {.name = "--merge",
+                 .value = &request->merged,
+                 .help = "Make no run: put together what --shard made in these folders and in --out",
+                 .type = "DIR",
+                 .excludes = "--shard"},
+                {"--images", &request->with_images,
+                 "Write every sample as PNG, too, in folders by label, split, part and class"},
+                {"--json", &request->as_json, "Print JSON instead of tables"},
+            },
+        .run = [request](const Json& settings) { return build_dataset(*request, settings); }};
 }
 
 }  // namespace ddtool

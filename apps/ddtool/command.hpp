@@ -1,8 +1,10 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
-#include <memory>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "ddtool/base/error.hpp"
@@ -10,53 +12,46 @@
 
 namespace ddtool {
 
-/// One sub-command of ddtool. A file each; main holds the table of them.
-class Command {
-public:
-    Command(std::string name, std::string summary, std::string example);
-    virtual ~Command() = default;
-    Command(const Command&) = delete;
-    Command& operator=(const Command&) = delete;
-
-    /// Adds the sub-command with its own options and those every command has (--config, --set).
-    void declare(CLI::App& program);
-    [[nodiscard]] bool chosen() const { return app_->parsed(); }
-    /// Merges defaults, --config, --set and bound options, in that order, then runs.
-    ExitCode execute();
-
-protected:
-    virtual void add_options(CLI::App& app) = 0;
-    /// Every setting the command knows, with its default.
-    [[nodiscard]] virtual Json default_settings() const { return Json::object(); }
-    virtual ExitCode run(const Json& settings) = 0;
-
-    /// A command-line option that is short for --set path=VALUE; where the default is a boolean, a flag with its
-    /// --no- twin. Help shows the default. Throws std::out_of_range for a path that default_settings() lacks.
-    /// Returns the option, whose type_name tells the values: a|b for a choice (completion.hpp).
-    CLI::Option* bind_option(CLI::App& app, const std::string& option, const std::string& path,
-                             const std::string& help);
-
-    /// The type name of an option whose value is one of these.
-    [[nodiscard]] static std::string choices(const std::vector<std::string>& words);
-
-private:
-    struct BoundValue {
-        std::string option;
-        std::string path;
-        std::string text;
-    };
-
-    [[nodiscard]] Json effective_settings() const;
-
-    std::string name_;
-    std::string summary_;
-    std::string example_;
-    CLI::App* app_ = nullptr;
-    std::vector<std::string> config_files_;
-    std::vector<std::string> assignments_;
-    std::vector<BoundValue> bound_values_;
+/// The setting that an option is short for: the option is --set PATH=VALUE.
+struct Setting {
+    std::string path;  ///< keys with dots between them; Command::settings must have it
 };
 
-using CommandTable = std::vector<std::unique_ptr<Command>>;
+/// Where the value of an option goes: to a setting, or to a variable, which holds the default until then. A bool, and a
+/// setting that is one, make a flag; the setting's has a twin, --no-NAME. A list takes one value or several.
+using OptionValue =
+    std::variant<Setting, bool*, std::string*, std::vector<std::string>*, std::size_t*, std::uint16_t*, double*>;
+
+enum class Presence { optional, required };
+
+/// One option of a command. Its default is shown by --help.
+struct Option {
+    std::string name;  ///< "--out"; without dashes an argument that goes by its place
+    OptionValue value;
+    std::string help;
+    std::string type = {};  ///< of the value, for --help and completion (completion.hpp); empty: that of the variable
+    Presence presence = Presence::optional;
+    std::string alone = {};     ///< the value where the option is given without one; empty: it needs one
+    std::string needs = {};     ///< an option above this one, without which this one makes no sense
+    std::string excludes = {};  ///< an option above this one, beside which this one makes no sense
+    bool* given = nullptr;      ///< becomes true where the option is given
+};
+
+/// One sub-command of ddtool: a row of the table in commands.hpp. What every command takes (--config, --set) is not
+/// among its options.
+struct Command {
+    std::string name;
+    std::string summary;
+    std::string example;
+    Json settings = Json::object();  ///< every setting it knows, with its default
+    std::vector<Option> options;
+    /// Gets the settings after --config, --set and the options that stand for some.
+    std::function<ExitCode(const Json& settings)> run;
+};
+
+using CommandTable = std::vector<Command>;
+
+/// The type of an option whose value is one of these.
+std::string choices(const std::vector<std::string>& words);
 
 }  // namespace ddtool

@@ -1,9 +1,9 @@
-#include "compare_command.hpp"
-
 #include <algorithm>
 #include <chrono>
 #include <iostream>
+#include <memory>
 
+#include "commands.hpp"
 #include "detectors.hpp"
 #include "study/compare/report.hpp"
 #include "study/compare/result_tables.hpp"
@@ -17,6 +17,12 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+struct CompareRequest {
+    std::string folder;
+    std::size_t threads = 0;
+    bool as_json = false;
+};
+
 /// Results of another build may differ from what this one would compute.
 void warn_of_other_builds(const std::vector<compare::CellResult>& results) {
     const auto others = std::count_if(results.begin(), results.end(), [](const compare::CellResult& result) {
@@ -29,7 +35,7 @@ void warn_of_other_builds(const std::vector<compare::CellResult>& results) {
 }
 
 /// Whether all runs were scored and nothing in their logs was skipped; says what was.
-bool complete(const std::vector<compare::CellResult>& results) {
+bool all_runs_scored(const std::vector<compare::CellResult>& results) {
     const auto failed = std::count_if(results.begin(), results.end(),
                                       [](const compare::CellResult& result) { return !result.failure.empty(); });
     const auto damaged = std::count_if(results.begin(), results.end(),
@@ -43,34 +49,18 @@ bool complete(const std::vector<compare::CellResult>& results) {
     return failed == 0 && damaged == 0;
 }
 
-}  // namespace
-
-CompareCommand::CompareCommand()
-    : Command("compare", "Methods on worlds over seeds: a table with spread and significance, and pictures",
-              "ddtool compare --config configs/compare/quick.json --out out/quick") {}
-
-void CompareCommand::add_options(CLI::App& app) {
-    app.add_option("--out", folder_, "Where results go; what is finished there is not run again")
-        ->type_name("FOLDER")
-        ->required();
-    app.add_option("--threads", threads_, "Runs at the same time; 0 is one a core")->capture_default_str();
-    app.add_flag("--json", as_json_, "Print JSON instead of a table");
-}
-
-Json CompareCommand::default_settings() const { return compare::default_experiment_json(); }
-
-ExitCode CompareCommand::run(const Json& settings) {
+ExitCode run_comparison(const CompareRequest& request, const Json& settings) {
     const Clock::time_point start = Clock::now();
     const compare::Experiment experiment = compare::experiment_from_json(settings, all_detectors());
     const std::vector<compare::Cell> cells = compare::cells_of(experiment);
-    compare::ResultStore store(folder_);
-    ThreadPool threads(threads_);
+    compare::ResultStore store(request.folder);
+    ThreadPool threads(request.threads);
     const auto [results, computed] = compare::run_cells(experiment, cells, store, threads, program_version());
     log_info("drawing");
     const std::vector<compare::Picture> pictures =
-        compare::draw_worlds(folder_, experiment, cells, results, store, threads);
-    const bool has_page = compare::write_report(folder_, experiment, cells, results, pictures);
-    if (as_json_) {
+        compare::draw_worlds(request.folder, experiment, cells, results, store, threads);
+    const bool has_page = compare::write_report(request.folder, experiment, cells, results, pictures);
+    if (request.as_json) {
         std::cout << compare::report_json(experiment, cells, results).dump(2) << '\n';
     } else {
         std::cout << compare::overview_table(experiment, compare::summaries_of(experiment, cells, results)).text();
@@ -78,8 +68,26 @@ ExitCode CompareCommand::run(const Json& settings) {
     warn_of_other_builds(results);
     log_info(std::to_string(computed) + " of " + std::to_string(cells.size()) + " runs computed, " +
              format_duration(std::chrono::duration<double>(Clock::now() - start).count()) + " in all; report in " +
-             folder_ + "/report.html");
-    return complete(results) && has_page ? ExitCode::done : ExitCode::done_with_loss;
+             request.folder + "/report.html");
+    return all_runs_scored(results) && has_page ? ExitCode::done : ExitCode::done_with_loss;
+}
+
+}  // namespace
+
+Command compare_command() {
+    const auto request = std::make_shared<CompareRequest>();
+    return {.name = "compare",
+            .summary = "Methods on worlds over seeds: a table with spread and significance, and pictures",
+            .example = "ddtool compare --config configs/compare/quick.json --out out/quick",
+            .settings = compare::default_experiment_json(),
+            .options =
+                {
+                    {"--out", &request->folder, "Where results go; what is finished there is not run again", "FOLDER",
+                     Presence::required},
+                    {"--threads", &request->threads, "Runs at the same time; 0 is one a core"},
+                    {"--json", &request->as_json, "Print JSON instead of a table"},
+                },
+            .run = [request](const Json& settings) { return run_comparison(*request, settings); }};
 }
 
 }  // namespace ddtool

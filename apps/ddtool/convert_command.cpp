@@ -1,8 +1,8 @@
-#include "convert_command.hpp"
-
 #include <filesystem>
 #include <iostream>
+#include <memory>
 
+#include "commands.hpp"
 #include "log_options.hpp"
 #include "logs/stream/frame_writer.hpp"
 #include "slam_report.hpp"
@@ -10,6 +10,12 @@
 
 namespace ddtool {
 namespace {
+
+struct ConvertRequest {
+    std::string input;
+    std::string output;
+    bool as_json = false;
+};
 
 void check_output(const std::string& input, const std::string& output) {
     std::error_code ignored;
@@ -30,28 +36,11 @@ Json result_json(const std::string& input, const LogSummary& summary, const std:
     return {{"command", "convert"}, {"log", log_report(input, summary)}, {"files", {{"log", output}}}};
 }
 
-}  // namespace
-
-ConvertCommand::ConvertCommand()
-    : Command("convert", "Write any readable log as MCAP with ROS 2 messages",
-              "ddtool convert intel.clf.bz2 intel.mcap") {}
-
-void ConvertCommand::add_options(CLI::App& app) {
-    app.add_option("IN", input_, log_file_help)->type_name("FILE")->required();
-    app.add_option("OUT", output_, "The MCAP file to write")->type_name("FILE.mcap")->required();
-    for (const auto& [option, path, help] : log_option_table) {
-        bind_option(app, option, path, help);
-    }
-    app.add_flag("--json", as_json_, "Print JSON instead of a line");
-}
-
-Json ConvertCommand::default_settings() const { return {{"log", default_log_settings()}}; }
-
-ExitCode ConvertCommand::run(const Json& settings) {
-    check_output(input_, output_);
+ExitCode convert(const ConvertRequest& request, const Json& settings) {
+    check_output(request.input, request.output);
     LogReport report;
-    const auto stream = open_log(input_, log_options(settings.at("log")), report.handler());
-    FrameWriter writer(output_);
+    const auto stream = open_log(request.input, log_options(settings.at("log")), report.handler());
+    FrameWriter writer(request.output);
     Progress progress("convert", "scans");
     while (const auto frame = stream->next()) {
         writer.write(*frame);
@@ -59,8 +48,27 @@ ExitCode ConvertCommand::run(const Json& settings) {
     }
     writer.close();
     const LogSummary& summary = stream->summary();
-    std::cout << (as_json_ ? result_json(input_, summary, output_).dump(2) + "\n" : result_text(summary, output_));
+    std::cout << (request.as_json ? result_json(request.input, summary, request.output).dump(2) + "\n"
+                                  : result_text(summary, request.output));
     return report.finish(summary);
+}
+
+}  // namespace
+
+Command convert_command() {
+    const auto request = std::make_shared<ConvertRequest>();
+    std::vector<Option> options{
+        {"IN", &request->input, log_file_help, "FILE", Presence::required},
+        {"OUT", &request->output, "The MCAP file to write", "FILE.mcap", Presence::required},
+    };
+    append_log_options(options);
+    options.push_back({"--json", &request->as_json, "Print JSON instead of a line"});
+    return {.name = "convert",
+            .summary = "Write any readable log as MCAP with ROS 2 messages",
+            .example = "ddtool convert intel.clf.bz2 intel.mcap",
+            .settings = {{"log", default_log_settings()}},
+            .options = std::move(options),
+            .run = [request](const Json& settings) { return convert(*request, settings); }};
 }
 
 }  // namespace ddtool

@@ -29,6 +29,10 @@ const learning::Engine& provide_engine() {
         std::filesystem::read_symlink("/proc/self/exe").parent_path() / "ddtool-torch";
     std::string command_line = read_file("/proc/self/cmdline");
     execv(program.c_str(), arguments_in(command_line).data());
+    if (errno == ENOENT) {
+        throw Error("this needs LibTorch, and " + program.string() +
+                    " is not there: scripts/build makes it, the Debian package ddtool-torch installs it");
+    }
     throw Error(program.string() +
                 ": cannot be started, which this needs for LibTorch: " + std::generic_category().message(errno));
 }

@@ -1,12 +1,13 @@
-#include "eval_command.hpp"
-
 #include <cmath>
 #include <iostream>
 #include <map>
+#include <memory>
 #include <optional>
 #include <utility>
 
 #include "ablation_report.hpp"
+#include "commands.hpp"
+#include "dataset/dataset.hpp"
 #include "study/judge/evaluation_page.hpp"
 #include "study/judge/label_noise.hpp"
 #include "study/judge/model_scorer.hpp"
@@ -24,6 +25,16 @@ namespace {
 
 using detection::Evaluation;
 using detection::Task;
+
+struct EvalRequest {
+    std::string data;
+    std::vector<std::string> models;
+    std::string fit;
+    std::string out;
+    std::string ablation;
+    bool label_noise = false;
+    bool as_json = false;
+};
 
 Task task_from(const Json& settings) {
     const auto place = [&](const std::string& key, std::span<const char* const> names) {
@@ -84,72 +95,35 @@ html::Page page_of(const std::filesystem::path& folder, const std::string& data_
     return page;
 }
 
-}  // namespace
-
-EvalCommand::EvalCommand()
-    : Command("eval", "How well models and simple rules detect degeneracy on a data set",
-              "ddtool eval --data out/small --model out/lite.pt --out out/evaluation") {}
-
-void EvalCommand::add_options(CLI::App& app) {
-    app.add_option("--data", data_, "The data set")->type_name("DIR")->required();
-    app.add_option("--model", models_, "An exported model or a checkpoint; may be given many times")
-        ->type_name("FILE.pt");
-    app.add_option("--fit", fit_, "Data set whose part train the simple rules are fitted on, if not that of --data")
-        ->type_name("DIR");
-    bind_option(app, "--label", "label", "What counts as degenerate")->type_name("dispersion|fisher");
-    bind_option(app, "--split", "split", "paper: samples at random; held_out: whole scenes")
-        ->type_name("paper|held_out");
-    bind_option(app, "--part", "part", "Samples that are tested")->type_name("train|validation|test");
-    bind_option(app, "--device", "run.device", "Where models run")->type_name("cpu|cuda");
-    bind_option(app, "--precision", "run.precision", "Of models")->type_name("fp32|bf16");
-    bind_option(app, "--threads", "run.threads", "Of models; 0 is one a core");
-    app.add_option("--ablation", ablation_, "Instead: the table that the file plans; what --out lacks is trained")
-        ->type_name("FILE")
-        ->expected(0, 1)
-        ->default_str("configs/ablation/paper.json")
-        ->excludes("--model");
-    app.add_flag("--label-noise", label_noise_,
-                 "Instead: how often labels differ between runs of the data set that differ in their seeds alone");
-    app.add_option("--out", out_, "Write eval.json, report.html and pictures there")->type_name("DIR");
-    app.add_flag("--json", as_json_, "Print JSON instead of tables");
-}
-
-Json EvalCommand::default_settings() const {
-    const learning::RunOptions run;
-    return {{"label", "fisher"},
-            {"split", "held_out"},
-            {"part", "test"},
-            {"run", {{"device", run.device}, {"precision", run.precision}, {"threads", 0U}}}};
-}
-
-ExitCode EvalCommand::ablate(const Json& options) const {
-    if (out_.empty()) {
+ExitCode ablate(const EvalRequest& request, const Json& options) {
+    if (request.out.empty()) {
         throw UsageError("--ablation: expected --out, a folder for what it trains");
     }
-    return run_ablation(learning::engine(), ablation_, data_, out_,
-                        {.device = options.at("device"), .threads = options.at("threads")}, as_json_);
+    return run_ablation(learning::engine(), request.ablation, request.data, request.out,
+                        {.device = options.at("device"), .threads = options.at("threads")}, request.as_json);
 }
 
-void EvalCommand::print_label_noise(const dataset::Dataset& data) const {
+void print_label_noise(const EvalRequest& request, const dataset::Dataset& data) {
     const Table table = detection::label_noise_table(data);
     if (table.empty()) {
-        throw Error(data_ + ": no two of its runs differ in their seeds alone, as in configs/dataset/label-noise.json");
+        throw Error(request.data +
+                    ": no two of its runs differ in their seeds alone, as in configs/dataset/label-noise.json");
     }
-    std::cout << (as_json_ ? table.json().dump(2) + "\n" : table.text());
+    std::cout << (request.as_json ? table.json().dump(2) + "\n" : table.text());
 }
 
-ExitCode EvalCommand::run(const Json& settings) {
-    if (!ablation_.empty()) {
-        return ablate(settings.at("run"));
+ExitCode evaluate(const EvalRequest& request, const Json& settings) {
+    if (!request.ablation.empty()) {
+        return ablate(request, settings.at("run"));
     }
     const Task task = task_from(settings);
-    std::vector<detection::Detector> detectors = load_models(models_, settings.at("run"));
-    const dataset::Dataset data(data_);
-    if (label_noise_) {
-        print_label_noise(data);
+    std::vector<detection::Detector> detectors = load_models(request.models, settings.at("run"));
+    const dataset::Dataset data(request.data);
+    if (request.label_noise) {
+        print_label_noise(request, data);
         return ExitCode::done;
     }
-    for (detection::Detector& rule : rules_fitted_on(fit_.empty() ? data_ : fit_, task)) {
+    for (detection::Detector& rule : rules_fitted_on(request.fit.empty() ? request.data : request.fit, task)) {
         detectors.push_back(std::move(rule));
     }
     std::vector<Evaluation> evaluations;
@@ -159,25 +133,66 @@ ExitCode EvalCommand::run(const Json& settings) {
     }
     const bool tested = !evaluations.front().samples.indices.empty();
     if (!tested) {
-        log_warning(data_ + ": no samples for " + name_of(task) + ": only their agreement with the physics is known");
+        log_warning(request.data + ": no samples for " + name_of(task) +
+                    ": only their agreement with the physics is known");
     }
     const std::string report = detection::report_json(data, evaluations, task).dump(2) + "\n";
-    if (!out_.empty()) {
-        write_file(made_folder(out_) / "eval.json", report);
+    if (!request.out.empty()) {
+        write_file(made_folder(request.out) / "eval.json", report);
     }
-    if (!out_.empty() && tested) {
-        detection::draw_evaluations(out_, data, evaluations, detection::detailed(evaluations).front());
-        log_info("pictures in " + out_);
+    if (!request.out.empty() && tested) {
+        detection::draw_evaluations(request.out, data, evaluations, detection::detailed(evaluations).front());
+        log_info("pictures in " + request.out);
     }
-    const bool has_page = out_.empty() || html::write_page(std::filesystem::path(out_) / "report.html", [&] {
-                              return page_of(out_, html::name_of(data_), data, evaluations, task);
-                          });
-    if (as_json_) {
+    const bool has_page =
+        request.out.empty() || html::write_page(std::filesystem::path(request.out) / "report.html", [&] {
+            return page_of(request.out, html::name_of(request.data), data, evaluations, task);
+        });
+    if (request.as_json) {
         std::cout << report;
     } else {
         print(data, evaluations, task);
     }
     return has_page ? ExitCode::done : ExitCode::done_with_loss;
+}
+
+}  // namespace
+
+Command eval_command() {
+    const auto request = std::make_shared<EvalRequest>();
+    const learning::RunOptions run;
+    return {
+        .name = "eval",
+        .summary = "How well models and simple rules detect degeneracy on a data set",
+        .example = "ddtool eval --data out/small --model out/lite.pt --out out/evaluation",
+        .settings = {{"label", "fisher"},
+                     {"split", "held_out"},
+                     {"part", "test"},
+                     {"run", {{"device", run.device}, {"precision", run.precision}, {"threads", 0U}}}},
+        .options =
+            {
+                {"--data", &request->data, "The data set", "DIR", Presence::required},
+                {"--model", &request->models, "An exported model or a checkpoint; may be given many times", "FILE.pt"},
+                {"--fit", &request->fit,
+                 "Data set whose part train the simple rules are fitted on, if not that of --data", "DIR"},
+                {"--label", Setting{"label"}, "What counts as degenerate", "dispersion|fisher"},
+                {"--split", Setting{"split"}, "paper: samples at random; held_out: whole scenes", "paper|held_out"},
+                {"--part", Setting{"part"}, "Samples that are tested", "train|validation|test"},
+                {"--device", Setting{"run.device"}, "Where models run", "cpu|cuda"},
+                {"--precision", Setting{"run.precision"}, "Of models", "fp32|bf16"},
+                {"--threads", Setting{"run.threads"}, "Of models; 0 is one a core"},
+                {.name = "--ablation",
+                 .value = &request->ablation,
+                 .help = "Instead: the table that the file plans; what --out lacks is trained",
+                 .type = "FILE",
+                 .alone = "configs/ablation/paper.json",
+                 .excludes = "--model"},
+                {"--label-noise", &request->label_noise,
+                 "Instead: how often labels differ between runs of the data set that differ in their seeds alone"},
+                {"--out", &request->out, "Write eval.json, report.html and pictures there", "DIR"},
+                {"--json", &request->as_json, "Print JSON instead of tables"},
+            },
+        .run = [request](const Json& settings) { return evaluate(*request, settings); }};
 }
 
 }  // namespace ddtool

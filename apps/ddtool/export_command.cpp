@@ -1,34 +1,48 @@
-#include "export_command.hpp"
-
 #include <iostream>
+#include <memory>
 
+#include "commands.hpp"
 #include "system/log.hpp"
 #include "train/engine.hpp"
 
 namespace ddtool {
+namespace {
 
-ExportCommand::ExportCommand()
-    : Command("export", "Writes a trained network as TorchScript, and its plain weights beside it",
-              "ddtool export --checkpoint out/lite/best.pt --out out/lite.pt") {}
+struct ExportRequest {
+    std::string checkpoint;
+    std::string out;
+    bool as_json = false;
+};
 
-void ExportCommand::add_options(CLI::App& app) {
-    app.add_option("--checkpoint", checkpoint_, "best.pt or last.pt of ddtool train")->type_name("FILE")->required();
-    app.add_option("--out", out_, "The model, MODEL.pt; plain weights go to MODEL.safetensors")
-        ->type_name("FILE")
-        ->required();
-    app.add_flag("--json", as_json_, "Print JSON: what was written where");
-}
-
-ExitCode ExportCommand::run(const Json&) {
-    learning::engine().export_model(checkpoint_, out_);
-    log_info("wrote " + out_);
-    if (as_json_) {
-        const Json report{{"command", "export"},
-                          {"checkpoint", checkpoint_},
-                          {"files", {{"torch_script", out_}, {"plain_weights", learning::plain_weights_beside(out_)}}}};
+ExitCode export_model(const ExportRequest& request) {
+    learning::engine().export_model(request.checkpoint, request.out);
+    log_info("wrote " + request.out);
+    if (request.as_json) {
+        const Json report{
+            {"command", "export"},
+            {"checkpoint", request.checkpoint},
+            {"files", {{"torch_script", request.out}, {"plain_weights", learning::plain_weights_beside(request.out)}}}};
         std::cout << report.dump(2) << '\n';
     }
     return ExitCode::done;
+}
+
+}  // namespace
+
+Command export_command() {
+    const auto request = std::make_shared<ExportRequest>();
+    return {.name = "export",
+            .summary = "Writes a trained network as TorchScript, and its plain weights beside it",
+            .example = "ddtool export --checkpoint out/lite/best.pt --out out/lite.pt",
+            .options =
+                {
+                    {"--checkpoint", &request->checkpoint, "best.pt or last.pt of ddtool train", "FILE",
+                     Presence::required},
+                    {"--out", &request->out, "The model, MODEL.pt; plain weights go to MODEL.safetensors", "FILE",
+                     Presence::required},
+                    {"--json", &request->as_json, "Print JSON: what was written where"},
+                },
+            .run = [request](const Json& /*settings*/) { return export_model(*request); }};
 }
 
 }  // namespace ddtool

@@ -23,6 +23,16 @@ Json default_log_settings() {
     return {{"scan_topic", ""}, {"odom_topic", ""}, {"ground_truth_topic", ""}, {"laser_pose", Json::array()}};
 }
 
+void append_log_options(std::vector<Option>& options) {
+    options.insert(
+        options.end(),
+        {{"--scan-topic", Setting{"log.scan_topic"}, "Laser scans to use; found by type where not given"},
+         {"--odom-topic", Setting{"log.odom_topic"}, "Odometry or transforms to use; found by type where not given"},
+         {"--ground-truth-topic", Setting{"log.ground_truth_topic"}, "True poses; found by name where not given"},
+         {"--laser-pose", Setting{"log.laser_pose"},
+          "The laser on the robot, x,y,yaw in metres and radians; else the log's own"}});
+}
+
 LogOptions log_options(const Json& log_settings) {
     return {.scan_topic = log_settings.at("scan_topic"),
             .odom_topic = log_settings.at("odom_topic"),

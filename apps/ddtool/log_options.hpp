@@ -1,9 +1,9 @@
 #pragma once
 
-#include <array>
 #include <string>
 #include <vector>
 
+#include "command.hpp"
 #include "ddtool/base/error.hpp"
 #include "ddtool/logs/log_stream.hpp"
 #include "ddtool/system/settings.hpp"
@@ -16,18 +16,8 @@ Json default_log_settings();
 inline constexpr const char* log_file_help =
     "The log: MCAP, ROS 1 bag, rosbag2 (folder or .db3) or CARMEN (also .gz, .bz2)";
 
-/// An option and the setting it stands for, for Command::bind_option().
-struct LogOption {
-    const char* option;
-    const char* path;
-    const char* help;
-};
-inline constexpr std::array<LogOption, 4> log_option_table{{
-    {"--scan-topic", "log.scan_topic", "Laser scans to use; found by type where not given"},
-    {"--odom-topic", "log.odom_topic", "Odometry or transforms to use; found by type where not given"},
-    {"--ground-truth-topic", "log.ground_truth_topic", "True poses; found by name where not given"},
-    {"--laser-pose", "log.laser_pose", "The laser on the robot, x,y,yaw in metres and radians; else the log's own"},
-}};
+/// The options of every command that reads a log.
+void append_log_options(std::vector<Option>& options);
 
 /// From the settings under "log". Throws UsageError naming the key.
 LogOptions log_options(const Json& log_settings);

@@ -1,14 +1,168 @@
 #include "program.hpp"
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
-#include <string>
-#include <vector>
+#include <cstdint>
+#include <memory>
+#include <utility>
 
 #include "system/log.hpp"
 #include "version.hpp"
 
+// The only file that includes CLI11, which takes longer to compile than all commands together.
 namespace ddtool {
 namespace {
+
+Json setting_at(const Json& settings, const std::string& path) {
+    std::string pointer = "/" + path;
+    std::replace(pointer.begin(), pointer.end(), '.', '/');
+    return settings.at(Json::json_pointer(pointer));
+}
+
+std::string type_name(const Json& value) {
+    if (value.is_number_integer()) {
+        return "INT";
+    }
+    if (value.is_number()) {
+        return "NUMBER";
+    }
+    return value.is_array() ? "LIST" : "TEXT";
+}
+
+/// As it may be written on a command line: no default for null, a list without its brackets.
+std::string bare(const Json& value) {
+    const std::string text = value.is_null() ? "" : value.dump();
+    return value.is_array() ? text.substr(1, text.size() - 2) : text;
+}
+
+/// A command as CLI11 reads it. CLI11 keeps pointers into it.
+class ParsedCommand {
+public:
+    ParsedCommand(CLI::App& program, const Command& command);
+    ParsedCommand(const ParsedCommand&) = delete;
+    ParsedCommand& operator=(const ParsedCommand&) = delete;
+    ~ParsedCommand() = default;
+
+    [[nodiscard]] bool chosen() const { return app_.parsed(); }
+    ExitCode run() const;
+
+private:
+    struct AssignedValue {
+        std::string option;
+        std::string path;
+        std::string text;
+    };
+
+    void declare(const Option& option);
+    CLI::Option* declare_setting(const Option& option, const std::string& path);
+    /// --config and --set.
+    void declare_files_and_assignments();
+    [[nodiscard]] Json effective_settings() const;
+
+    const Command& command_;
+    CLI::App& app_;
+    std::vector<std::string> config_files_;
+    std::vector<std::string> assignments_;
+    std::vector<AssignedValue> assigned_values_;
+    std::vector<std::pair<const CLI::Option*, bool*>> asked_for_;
+};
+
+ParsedCommand::ParsedCommand(CLI::App& program, const Command& command)
+    : command_(command), app_(*program.add_subcommand(command.name, command.summary)) {
+    app_.footer("Example:\n  " + command.example);
+    for (const Option& option : command.options) {
+        declare(option);
+    }
+    declare_files_and_assignments();
+}
+
+CLI::Option* ParsedCommand::declare_setting(const Option& option, const std::string& path) {
+    const Json default_value = setting_at(command_.settings, path);
+    const auto assign = [this, name = option.name, path](const std::string& text) {
+        assigned_values_.push_back({name, path, text});
+    };
+    if (default_value.is_boolean()) {
+        return app_.add_flag_function(
+            option.name + ",!--no-" + option.name.substr(2),
+            [assign](std::int64_t count) { assign(count > 0 ? "true" : "false"); }, option.help);
+    }
+    return app_.add_option_function<std::string>(option.name, assign, option.help)
+        ->type_name(type_name(default_value))
+        ->default_str(default_value.is_string() ? default_value.get<std::string>() : bare(default_value));
+}
+
+void ParsedCommand::declare(const Option& option) {
+    const auto declare_value = [&](const auto& value) -> CLI::Option* {
+        using Value = std::decay_t<decltype(value)>;
+        if constexpr (std::is_same_v<Value, Setting>) {
+            return declare_setting(option, value.path);
+        } else if constexpr (std::is_same_v<Value, bool*>) {
+            return app_.add_flag(option.name, *value, option.help);
+        } else if constexpr (std::is_same_v<Value, std::vector<std::string>*>) {
+            return app_.add_option(option.name, *value, option.help);
+        } else {
+            return app_.add_option(option.name, *value, option.help)->capture_default_str();
+        }
+    };
+    CLI::Option* const declared = std::visit(declare_value, option.value);
+    declared->required(option.presence == Presence::required);
+    if (!option.type.empty()) {
+        declared->type_name(option.type);
+    }
+    if (!option.alone.empty()) {
+        declared->expected(0, 1)->default_str(option.alone);
+    }
+    if (!option.needs.empty()) {
+        declared->needs(option.needs);
+    }
+    if (!option.excludes.empty()) {
+        declared->excludes(option.excludes);
+    }
+    if (option.given != nullptr) {
+        asked_for_.emplace_back(declared, option.given);
+    }
+}
+
+void ParsedCommand::declare_files_and_assignments() {
+    const auto repeated = [this](const char* name, std::vector<std::string>& values, const char* help,
+                                 const char* type) {
+        app_.add_option(name, values, help)
+            ->type_name(type)
+            ->expected(1)
+            ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    };
+    repeated("--config", config_files_, "JSON file of settings; may be repeated, later ones win", "FILE.json");
+    repeated("--set", assignments_, "One setting, e.g. --set filter.particles=60; may be repeated", "PATH=VALUE");
+}
+
+Json ParsedCommand::effective_settings() const {
+    Json settings = command_.settings;
+    for (const std::string& file : config_files_) {
+        merge_settings_file(settings, file);
+    }
+    for (const std::string& assignment : assignments_) {
+        merge_assignment(settings, assignment);
+    }
+    for (const auto& [option, path, text] : assigned_values_) {
+        merge_setting(settings, path, text, option);
+    }
+    return settings;
+}
+
+ExitCode ParsedCommand::run() const {
+    for (const auto& [option, given] : asked_for_) {
+        *given = option->count() > 0;
+    }
+    return command_.run(effective_settings());
+}
+
+/// The program as CLI11 reads it.
+struct ParsedProgram {
+    explicit ParsedProgram(const CommandTable& table);
+
+    CLI::App app{"Lidar SLAM that sees when it is degenerate, and acts on it", "ddtool"};
+    std::vector<std::unique_ptr<ParsedCommand>> commands;
+};
 
 void add_shared_options(CLI::App& program) {
     program.set_version_flag("--version", version_text, "Print the version, the commit and those of the libraries");
@@ -21,6 +175,20 @@ void add_shared_options(CLI::App& program) {
     program.add_flag_callback(
         "--quiet", [] { set_log_level(LogLevel::error); }, "Only errors on stderr: --log-level error");
     program.footer("ddtool COMMAND --help shows the options of a command and an example.");
+}
+
+ParsedProgram::ParsedProgram(const CommandTable& table) {
+    add_shared_options(app);
+    app.require_subcommand(0, 1);
+    app.fallthrough();  // shared options may stand behind the command, too
+    for (const Command& command : table) {
+        commands.push_back(std::make_unique<ParsedCommand>(app, command));
+    }
+    app.allow_extras();  // set last, for the program alone: collects the unknown, which CLI11 would only name
+}
+
+std::vector<const CLI::App*> commands_of(const CLI::App& program) {
+    return program.get_subcommands([](const CLI::App*) { return true; });
 }
 
 std::string did_you_mean(const std::string& word, const std::vector<std::string>& known) {
@@ -47,39 +215,60 @@ std::vector<std::string> option_names(const CLI::App& app) {
         throw UsageError(app.get_name() + ": unexpected argument '" + word + "'");
     }
     std::vector<std::string> names;
-    for (const CLI::App* command : program.get_subcommands([](const CLI::App*) { return true; })) {
+    for (const CLI::App* command : commands_of(program)) {
         names.push_back(command->get_name());
     }
     throw UsageError("unknown command '" + word + "'" + did_you_mean(word, names));
 }
 
+HelpText text_of(const CLI::App& app) {
+    HelpText text{.name = app.get_name(), .summary = app.get_description(), .footer = app.get_footer()};
+    for (const CLI::Option* option : app.get_options()) {
+        text.options.push_back({.names = option->get_name(option->get_positional(), true),
+                                .long_names = option->get_lnames(),
+                                .positional = option->get_positional(),
+                                .takes_value = option->get_items_expected_max() > 0,
+                                .type = option->get_type_name(),
+                                .default_value = option->get_default_str(),
+                                .help = option->get_description()});
+    }
+    for (const CLI::App* command : commands_of(app)) {
+        text.commands.push_back(text_of(*command));
+    }
+    return text;
+}
+
 }  // namespace
 
-ExitCode run_program(const CommandTable& commands, int argc, const char* const* argv) {
-    CLI::App program("Lidar SLAM that sees when it is degenerate, and acts on it", "ddtool");
-    add_shared_options(program);
-    program.require_subcommand(0, 1);
-    program.fallthrough();  // shared options may stand behind the command, too
-    for (const auto& command : commands) {
-        command->declare(program);
+std::string choices(const std::vector<std::string>& words) {
+    std::string all;
+    for (const std::string& word : words) {
+        all += (all.empty() ? "" : "|") + word;
     }
-    program.allow_extras();  // set last, for the program alone: collects the unknown, which CLI11 would only name
+    return all;
+}
+
+HelpText help_text(const CommandTable& commands) { return text_of(ParsedProgram(commands).app); }
+
+ExitCode run_program(const CommandTable& commands, int argc, const char* const* argv) {
+    ParsedProgram program(commands);
     try {
-        program.parse(argc, argv);
+        program.app.parse(argc, argv);
     } catch (const CLI::Success& help_or_version) {
-        program.exit(help_or_version);
+        program.app.exit(help_or_version);
         return ExitCode::done;
     } catch (const CLI::ParseError& error) {
         throw UsageError(error.what());
     }
-    if (const std::vector<std::string> unknown = program.remaining(); !unknown.empty()) {
-        fail_unexpected(program, unknown.front());
+    if (const std::vector<std::string> unknown = program.app.remaining(); !unknown.empty()) {
+        fail_unexpected(program.app, unknown.front());
     }
-    const auto chosen = std::find_if(commands.begin(), commands.end(), [](const auto& each) { return each->chosen(); });
-    if (chosen == commands.end()) {
+    const auto chosen = std::find_if(program.commands.begin(), program.commands.end(),
+                                     [](const auto& command) { return command->chosen(); });
+    if (chosen == program.commands.end()) {
         throw UsageError("expected a command; ddtool --help lists them");
     }
-    return (*chosen)->execute();
+    return (*chosen)->run();
 }
 
 }  // namespace ddtool

@@ -1,7 +1,7 @@
-#include "score_command.hpp"
-
 #include <iostream>
+#include <memory>
 
+#include "commands.hpp"
 #include "scores/trajectory_plot.hpp"
 #include "scores/trajectory_score.hpp"
 #include "scores/tum_file.hpp"
@@ -9,6 +9,14 @@
 
 namespace ddtool {
 namespace {
+
+struct ScoreRequest {
+    std::string trajectory;
+    std::string reference;
+    std::string relations;
+    std::string plot;
+    bool as_json = false;
+};
 
 double time_tolerance_s(const Json& settings) {
     const double tolerance_s = settings.at("max_time_difference_s");
@@ -43,61 +51,63 @@ RelationErrors read_and_score_relations(const Trajectory& trajectory, const std:
     return errors;
 }
 
-}  // namespace
-
-ScoreCommand::ScoreCommand()
-    : Command("score", "Errors of a trajectory against the truth",
-              "ddtool score --trajectory out/trajectory.tum --reference truth.tum --plot errors.png") {}
-
-void ScoreCommand::add_options(CLI::App& app) {
-    app.add_option("--trajectory", trajectory_file_, "The estimate")->type_name("FILE.tum")->required();
-    app.add_option("--reference", reference_file_, "True trajectory: ATE, RPE, Error_x, Error_y")
-        ->type_name("FILE.tum");
-    app.add_option("--relations", relations_file_, "True relative poses: t1 t2 x y z roll pitch yaw a line")
-        ->type_name("FILE");
-    app.add_option("--plot", plot_file_, "Picture of both trajectories and of the error over time")
-        ->type_name("FILE.png")
-        ->needs("--reference");
-    app.add_flag("--json", as_json_, "Print JSON instead of a table");
-    bind_option(app, "--align", "align", "Motion granted to the estimate first")->type_name("none|first|se2");
-    bind_option(app, "--max-time-difference", "max_time_difference_s",
-                "Stamps at most this many seconds apart are one moment");
-    bind_option(app, "--rpe-delta", "rpe.delta", "How far apart the two poses of an RPE motion are");
-    bind_option(app, "--rpe-unit", "rpe.unit", "Of the RPE delta")->type_name("frames|metres|seconds");
-}
-
-Json ScoreCommand::default_settings() const {
-    return {{"align", "se2"},
-            {"max_time_difference_s", default_max_time_difference_s},
-            {"rpe", {{"delta", 1.0}, {"unit", "frames"}}}};
-}
-
-ExitCode ScoreCommand::run(const Json& settings) {
-    if (reference_file_.empty() && relations_file_.empty()) {
+ExitCode score(const ScoreRequest& request, const Json& settings) {
+    if (request.reference.empty() && request.relations.empty()) {
         throw UsageError("score: expected --reference, --relations or both");
     }
     const ScoreOptions options = score_options(settings);
-    const Trajectory estimate = read_poses(trajectory_file_);
-    TrajectoryScore score;
-    if (!reference_file_.empty()) {
-        const Trajectory reference = read_poses(reference_file_);
-        score = score_against(estimate, reference, options);
-        log_info(std::to_string(score.absolute->pairs.size()) + " of " + std::to_string(estimate.size()) +
+    const Trajectory estimate = read_poses(request.trajectory);
+    TrajectoryScore result;
+    if (!request.reference.empty()) {
+        const Trajectory reference = read_poses(request.reference);
+        result = score_against(estimate, reference, options);
+        log_info(std::to_string(result.absolute->pairs.size()) + " of " + std::to_string(estimate.size()) +
                  " poses have a partner in the reference");
     }
-    if (!relations_file_.empty()) {
-        score.relations = read_and_score_relations(estimate, relations_file_, options.ate.max_time_difference_s);
+    if (!request.relations.empty()) {
+        result.relations = read_and_score_relations(estimate, request.relations, options.ate.max_time_difference_s);
     }
-    if (score.absolute && !plot_file_.empty()) {
-        plot::error_figure(*score.absolute).write_png(plot_file_);
+    if (result.absolute && !request.plot.empty()) {
+        plot::error_figure(*result.absolute).write_png(request.plot);
     }
-    std::cout << (as_json_ ? score_json(score).dump(2) + "\n" : score_table(score).text());
-    if (score.relations && score.relations->skipped > 0) {
-        log_warning(relations_file_ + ": " + std::to_string(score.relations->skipped) +
+    std::cout << (request.as_json ? score_json(result).dump(2) + "\n" : score_table(result).text());
+    if (result.relations && result.relations->skipped > 0) {
+        log_warning(request.relations + ": " + std::to_string(result.relations->skipped) +
                     " relations skipped: their times are not in the trajectory");
         return ExitCode::done_with_loss;
     }
     return ExitCode::done;
+}
+
+}  // namespace
+
+Command score_command() {
+    const auto request = std::make_shared<ScoreRequest>();
+    return {
+        .name = "score",
+        .summary = "Errors of a trajectory against the truth",
+        .example = "ddtool score --trajectory out/trajectory.tum --reference truth.tum --plot errors.png",
+        .settings = {{"align", "se2"},
+                     {"max_time_difference_s", default_max_time_difference_s},
+                     {"rpe", {{"delta", 1.0}, {"unit", "frames"}}}},
+        .options =
+            {
+                {"--trajectory", &request->trajectory, "The estimate", "FILE.tum", Presence::required},
+                {"--reference", &request->reference, "True trajectory: ATE, RPE, Error_x, Error_y", "FILE.tum"},
+                {"--relations", &request->relations, "True relative poses: t1 t2 x y z roll pitch yaw a line", "FILE"},
+                {.name = "--plot",
+                 .value = &request->plot,
+                 .help = "Picture of both trajectories and of the error over time",
+                 .type = "FILE.png",
+                 .needs = "--reference"},
+                {"--json", &request->as_json, "Print JSON instead of a table"},
+                {"--align", Setting{"align"}, "Motion granted to the estimate first", "none|first|se2"},
+                {"--max-time-difference", Setting{"max_time_difference_s"},
+                 "Stamps at most this many seconds apart are one moment"},
+                {"--rpe-delta", Setting{"rpe.delta"}, "How far apart the two poses of an RPE motion are"},
+                {"--rpe-unit", Setting{"rpe.unit"}, "Of the RPE delta", "frames|metres|seconds"},
+            },
+        .run = [request](const Json& settings) { return score(*request, settings); }};
 }
 
 }  // namespace ddtool

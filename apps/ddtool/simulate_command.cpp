@@ -1,7 +1,7 @@
-#include "simulate_command.hpp"
-
 #include <iostream>
+#include <memory>
 
+#include "commands.hpp"
 #include "report/table.hpp"
 #include "scores/tum_file.hpp"
 #include "sim/simulation_json.hpp"
@@ -12,6 +12,14 @@
 
 namespace ddtool {
 namespace {
+
+struct SimulateRequest {
+    std::string log;
+    std::string picture;
+    std::string truth;
+    std::string odometry;
+    bool as_json = false;
+};
 
 /// Those that go by one word; a drawn world has a seed in its name.
 std::vector<std::string> plain_world_names() {
@@ -64,73 +72,77 @@ Table summary_table(const sim::World& world, const sim::Simulation& simulation) 
     return table;
 }
 
-}  // namespace
-
-SimulateCommand::SimulateCommand()
-    : Command("simulate", "Drive a robot through a world where the truth is known",
-              "ddtool simulate --world s2 --seed 1 --out s2.mcap --png s2.png") {}
-
-void SimulateCommand::add_options(CLI::App& app) {
-    bind_option(app, "--world", "world", "The world, also one drawn by a seed; 'list' describes them")
-        ->type_name(choices(plain_world_names()) + "|list|FILE.json");
-    bind_option(app, "--seed", "seed", "Of the sensors' noise; the way driven is the same for all");
-    bind_option(app, "--lidar", "lidar.preset", "The sensor")->type_name("ls-m10p|rplidar-a1|hokuyo-utm-30lx|sick-lms");
-    bind_option(app, "--odometry", "odometry.preset", "How well the wheels measure")->type_name("good|typical|poor");
-    app.add_option("--out", log_file_, "Log to write, with the truth in it")->type_name("FILE.mcap");
-    app.add_option("--ground-truth", truth_file_, "True poses at the scans to write")->type_name("FILE.tum");
-    app.add_option("--odometry-track", odometry_file_, "Odometry to write")->type_name("FILE.tum");
-    app.add_option("--png", picture_file_, "Picture of the world and the driven way to write")->type_name("FILE.png");
-    app.add_flag("--json", as_json_, "Print JSON instead of a table");
-}
-
-Json SimulateCommand::default_settings() const { return sim::default_simulation_json(); }
-
-Json SimulateCommand::files() const {
+/// The files asked for, by what is in them.
+Json files_of(const SimulateRequest& request) {
     Json files = Json::object();
     const auto add = [&files](const char* content, const std::string& file) {
         if (!file.empty()) {
             files[content] = file;
         }
     };
-    add("log", log_file_);
-    add("ground_truth", truth_file_);
-    add("odometry", odometry_file_);
-    add("picture", picture_file_);
+    add("log", request.log);
+    add("ground_truth", request.truth);
+    add("odometry", request.odometry);
+    add("picture", request.picture);
     return files;
 }
 
-ExitCode SimulateCommand::run(const Json& settings) {
+ExitCode simulate(const SimulateRequest& request, const Json& settings) {
     const std::string name = settings.at("world");
     if (name == "list") {
-        print_worlds(as_json_);
+        print_worlds(request.as_json);
         return ExitCode::done;
     }
     const sim::World world = sim::load_world(name);
     const sim::Simulation simulation(world, sim::simulation_from_json(settings));
-    if (!picture_file_.empty()) {
-        sim::write_world_picture(picture_file_, world, simulation.truth());
+    if (!request.picture.empty()) {
+        sim::write_world_picture(request.picture, world, simulation.truth());
     }
-    if (!truth_file_.empty()) {
-        write_tum(truth_file_, truth_at_scans(simulation));
+    if (!request.truth.empty()) {
+        write_tum(request.truth, truth_at_scans(simulation));
     }
-    if (!odometry_file_.empty()) {
-        write_tum(odometry_file_, simulation.odometry());
+    if (!request.odometry.empty()) {
+        write_tum(request.odometry, simulation.odometry());
     }
-    if (!log_file_.empty()) {
-        write_log(simulation, log_file_);
+    if (!request.log.empty()) {
+        write_log(simulation, request.log);
     }
     const Table summary = summary_table(world, simulation);
-    if (as_json_) {
+    if (request.as_json) {
         std::cout << Json{{"command", "simulate"},
                           {"settings", settings},
                           {"drive", summary.json().at(0)},
-                          {"files", files()}}
+                          {"files", files_of(request)}}
                          .dump(2)
                   << '\n';
     } else {
         std::cout << summary.text();
     }
     return ExitCode::done;
+}
+
+}  // namespace
+
+Command simulate_command() {
+    const auto request = std::make_shared<SimulateRequest>();
+    return {.name = "simulate",
+            .summary = "Drive a robot through a world where the truth is known",
+            .example = "ddtool simulate --world s2 --seed 1 --out s2.mcap --png s2.png",
+            .settings = sim::default_simulation_json(),
+            .options =
+                {
+                    {"--world", Setting{"world"}, "The world, also one drawn by a seed; 'list' describes them",
+                     choices(plain_world_names()) + "|list|FILE.json"},
+                    {"--seed", Setting{"seed"}, "Of the sensors' noise; the way driven is the same for all"},
+                    {"--lidar", Setting{"lidar.preset"}, "The sensor", "ls-m10p|rplidar-a1|hokuyo-utm-30lx|sick-lms"},
+                    {"--odometry", Setting{"odometry.preset"}, "How well the wheels measure", "good|typical|poor"},
+                    {"--out", &request->log, "Log to write, with the truth in it", "FILE.mcap"},
+                    {"--ground-truth", &request->truth, "True poses at the scans to write", "FILE.tum"},
+                    {"--odometry-track", &request->odometry, "Odometry to write", "FILE.tum"},
+                    {"--png", &request->picture, "Picture of the world and the driven way to write", "FILE.png"},
+                    {"--json", &request->as_json, "Print JSON instead of a table"},
+                },
+            .run = [request](const Json& settings) { return simulate(*request, settings); }};
 }
 
 }  // namespace ddtool

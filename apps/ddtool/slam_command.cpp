@@ -1,12 +1,13 @@
-#include "slam_command.hpp"
-
 #include <algorithm>
 #include <chrono>
 #include <iostream>
+#include <memory>
 
+#include "commands.hpp"
 #include "ddtool/methods/driven_scans.hpp"
 #include "ddtool/robot/scan_truth.hpp"
 #include "detectors.hpp"
+#include "log_options.hpp"
 #include "logs/stream/live_log.hpp"
 #include "methods/settings_json.hpp"
 #include "run/live_run.hpp"
@@ -15,6 +16,7 @@
 #include "run/run_page.hpp"
 #include "run/run_report.hpp"
 #include "slam_report.hpp"
+#include "system/interrupt.hpp"
 #include "system/log.hpp"
 #include "system/process_usage.hpp"
 #include "system/progress.hpp"
@@ -23,6 +25,18 @@ namespace ddtool {
 namespace {
 
 using Clock = std::chrono::steady_clock;
+
+struct SlamRequest {
+    std::string log;
+    bool follow = false;
+    std::string folder;
+    std::size_t threads = 0;
+    bool with_snapshots = false;
+    bool as_json = false;
+    bool serve = false;
+    std::uint16_t port = 8765;
+    std::string address = "127.0.0.1";
+};
 
 /// What --serve offers.
 struct Served {
@@ -70,82 +84,38 @@ CostReport cost_report(std::size_t threads, Clock::time_point start) {
             .peak_memory_bytes = usage.peak_memory_bytes};
 }
 
-}  // namespace
-
-SlamCommand::SlamCommand() : Command("slam", "Map and trajectory from a log", "ddtool slam --log run.mcap --out run") {}
-
-void SlamCommand::add_options(CLI::App& app) {
-    app.add_option("--log", log_file_, log_file_help + std::string("; - is MCAP from standard input"))
-        ->type_name("FILE")
-        ->required();
-    app.add_flag("--follow", follow_, "The log is MCAP that is still being written: wait for more, up to its footer");
-    app.add_option("--out", folder_, "Folder for the results; created where it is not there")
-        ->type_name("DIR")
-        ->required();
-    bind_option(app, "--method", "filter.method", "What the filter does about degeneracy")
-        ->type_name(choices(method_names()));
-    bind_option(app, "--detector", "filter.detector",
-                "What tells the degree, or a model's file; empty: the method's own")
-        ->type_name(choices(all_detectors().names()) + "|FILE");
-    bind_option(app, "--particles", "filter.particles", "Hypotheses, each with its own map");
-    bind_option(app, "--seed", "filter.seed", "Of all chance: the same seed gives the same result");
-    app.add_option("--threads", threads_, "0: every core; the result does not depend on it")
-        ->type_name("INT")
-        ->capture_default_str();
-    for (const auto& [option, path, help] : log_option_table) {
-        bind_option(app, option, path, help);
-    }
-    serve_ = app.add_option("--serve", port_,
-                            "Show the run as it goes on to Foxglove or Lichtblick, at this port (0: any that is free); "
-                            "after the end of the log the map stays to be seen until Ctrl-C")
-                 ->expected(0, 1)
-                 ->type_name("PORT")
-                 ->capture_default_str();
-    app.add_option("--serve-address", address_,
-                   "This machine's address that others may connect to; 127.0.0.1 is for itself alone, 0.0.0.0 all")
-        ->type_name("ADDRESS")
-        ->needs(serve_)
-        ->capture_default_str();
-    app.add_flag("--snapshots", with_snapshots_, "Write snapshots.mcap, too: the particles before each resampling");
-    app.add_flag("--json", as_json_, "Print run.json instead of a summary");
-}
-
-Json SlamCommand::default_settings() const {
-    return {{"log", default_log_settings()}, {"filter", filter_settings_json({})}};
-}
-
-std::unique_ptr<LogStream> SlamCommand::open(const LogOptions& options, const InterruptRequest& interrupt,
-                                             LogReport& problems) const {
+std::unique_ptr<LogStream> open(const SlamRequest& request, const LogOptions& options,
+                                const InterruptRequest& interrupt, LogReport& problems) {
     const auto stop = [&interrupt] { return interrupt.made(); };
-    if (log_file_ != "-") {
-        return follow_ ? follow_log(log_file_, options, stop, problems.handler())
-                       : open_log(log_file_, options, problems.handler());
+    if (request.log != "-") {
+        return request.follow ? follow_log(request.log, options, stop, problems.handler())
+                              : open_log(request.log, options, problems.handler());
     }
-    if (follow_) {
+    if (request.follow) {
         throw UsageError("--follow: expected the file that is being written; standard input ends by itself");
     }
     return open_standard_input(options, stop, problems.handler());
 }
 
-ExitCode SlamCommand::run(const Json& settings) {
+ExitCode slam(const SlamRequest& request, const Json& settings) {
     const auto start = Clock::now();
     const FilterSettings filter_settings = filter_settings_from_json(settings.at("filter"));
-    ThreadPool threads(threads_);
+    ThreadPool threads(request.threads);
     const auto truth = std::make_shared<ScanTruth>();
     DetectorTable detectors = all_detectors();
     detectors.know(truth);
     // Before the log is opened: a detector that needs LibTorch starts the command anew.
     std::unique_ptr<Rbpf> filter = make_filter(filter_settings, detectors, threads);
-    const auto served = serve_->count() > 0 ? std::make_unique<Served>(address_, port_) : nullptr;
+    const auto served = request.serve ? std::make_unique<Served>(request.address, request.port) : nullptr;
     LogReport problems;
     const InterruptRequest interrupt;
-    DrivenScans scans(open(log_options(settings.at("log")), interrupt, problems), filter_settings.rbpf);
+    DrivenScans scans(open(request, log_options(settings.at("log")), interrupt, problems), filter_settings.rbpf);
     scans.tell_truth(truth);
-    RunFolder folder(folder_, with_snapshots_);
+    RunFolder folder(request.folder, request.with_snapshots);
     const FilterRun result = run_over(scans, std::move(filter), interrupt, folder, served.get());
     return_freed_memory();  // the particles' maps, before pictures are drawn
     if (result.trajectory.empty()) {
-        throw Error(log_file_ + ": no scans that can be used");
+        throw Error(request.log + ": no scans that can be used");
     }
     const MapRaster map = map_raster(result.map);
     if (served) {
@@ -154,8 +124,8 @@ ExitCode SlamCommand::run(const Json& settings) {
     folder.finish(result, map);
     folder.write_json("config.json", settings);
     const RunReport run = run_report(result, map, folder.course(), folder.write_s());
-    const CostReport cost = cost_report(threads_, start);
-    const Json log = log_report(log_file_, scans.summary());
+    const CostReport cost = cost_report(request.threads, start);
+    const Json log = log_report(request.log, scans.summary());
     const Json versions = version_report();
     const Json report{{"command", "slam"},
                       {"versions", versions},
@@ -166,11 +136,11 @@ ExitCode SlamCommand::run(const Json& settings) {
                       {"run", to_run_json(run)},
                       {"cost", cost}};
     folder.write_json("run.json", report);
-    const std::vector<std::string> losses = shortfalls(log_file_, scans.summary(), interrupt, result);
+    const std::vector<std::string> losses = shortfalls(request.log, scans.summary(), interrupt, result);
     std::vector<std::string> warnings = log_warnings(scans.summary());
     warnings.insert(warnings.end(), losses.begin(), losses.end());
     const bool has_page = folder.write_page([&] {
-        return run_page({.log_file = log_file_,
+        return run_page({.log_file = request.log,
                          .warnings = warnings,
                          .run = result,
                          .map = map,
@@ -182,7 +152,7 @@ ExitCode SlamCommand::run(const Json& settings) {
                          .log = log,
                          .versions = versions});
     });
-    std::cout << (as_json_ ? report.dump(2) + "\n" : slam_summary(run, cost, folder_, folder.files()));
+    std::cout << (request.as_json ? report.dump(2) + "\n" : slam_summary(run, cost, request.folder, folder.files()));
     const ExitCode log_loss = problems.finish(scans.summary());
     std::for_each(losses.begin(), losses.end(), log_warning);
     if (served && !interrupt.made()) {
@@ -191,6 +161,47 @@ ExitCode SlamCommand::run(const Json& settings) {
         interrupt.wait();
     }
     return losses.empty() && has_page ? log_loss : ExitCode::done_with_loss;
+}
+
+}  // namespace
+
+Command slam_command() {
+    const auto request = std::make_shared<SlamRequest>();
+    std::vector<Option> options{
+        {"--log", &request->log, log_file_help + std::string("; - is MCAP from standard input"), "FILE",
+         Presence::required},
+        {"--follow", &request->follow, "The log is MCAP that is still being written: wait for more, up to its footer"},
+        {"--out", &request->folder, "Folder for the results; created where it is not there", "DIR", Presence::required},
+        {"--method", Setting{"filter.method"}, "What the filter does about degeneracy", choices(method_names())},
+        {"--detector", Setting{"filter.detector"}, "What tells the degree, or a model's file; empty: the method's own",
+         choices(all_detectors().names()) + "|FILE"},
+        {"--particles", Setting{"filter.particles"}, "Hypotheses, each with its own map"},
+        {"--seed", Setting{"filter.seed"}, "Of all chance: the same seed gives the same result"},
+        {"--threads", &request->threads, "0: every core; the result does not depend on it", "INT"},
+    };
+    append_log_options(options);
+    options.insert(
+        options.end(),
+        {{.name = "--serve",
+          .value = &request->port,
+          .help = "Show the run as it goes on to Foxglove or Lichtblick, at this port (0: any that is free); "
+                  "after the end of the log the map stays to be seen until Ctrl-C",
+          .type = "PORT",
+          .alone = "8765",
+          .given = &request->serve},
+         {.name = "--serve-address",
+          .value = &request->address,
+          .help = "This machine's address that others may connect to; 127.0.0.1 is for itself alone, 0.0.0.0 all",
+          .type = "ADDRESS",
+          .needs = "--serve"},
+         {"--snapshots", &request->with_snapshots, "Write snapshots.mcap, too: the particles before each resampling"},
+         {"--json", &request->as_json, "Print run.json instead of a summary"}});
+    return {.name = "slam",
+            .summary = "Map and trajectory from a log",
+            .example = "ddtool slam --log run.mcap --out run",
+            .settings = {{"log", default_log_settings()}, {"filter", filter_settings_json({})}},
+            .options = std::move(options),
+            .run = [request](const Json& settings) { return slam(*request, settings); }};
 }
 
 }  // namespace ddtool

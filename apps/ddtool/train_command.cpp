@@ -1,50 +1,28 @@
-#include "train_command.hpp"
-
 #include <iostream>
+#include <memory>
 
+#include "commands.hpp"
 #include "system/log.hpp"
+#include "train/engine.hpp"
 #include "train_report.hpp"
 
 namespace ddtool {
-TrainCommand::TrainCommand()
-    : Command("train", "Fits a network that reads the degree of degeneracy from particle images",
-              "ddtool train --data out/small --model ddmodel-lite --epochs 10 --out out/lite") {}
+namespace {
 
-void TrainCommand::add_options(CLI::App& app) {
-    app.add_option("--data", request_.data, "The data set")->type_name("DIR")->required();
-    app.add_option("--out", request_.out, "Folder for checkpoints (best.pt, last.pt), metrics, curves and report.html")
-        ->type_name("DIR")
-        ->required();
-    bind_option(app, "--model", "model", "The network")->type_name("ddmodel|ddmodel-lite|mobilenetv3");
-    bind_option(app, "--label", "label", "What the network learns to tell")->type_name("fisher|dispersion");
-    bind_option(app, "--swarm", "image.swarm", "What of the swarm it sees")->type_name("response|step|absolute");
-    bind_option(app, "--split", "split", "held_out: whole scenes; paper: samples at random")
-        ->type_name("held_out|paper");
-    bind_option(app, "--loss", "loss", "What is minimised")->type_name("cross-entropy|bce");
-    bind_option(app, "--optimizer", "optimizer.name", "How it is minimised")->type_name("adam|rmsprop|adamw");
-    bind_option(app, "--epochs", "epochs", "Passes over the training part; the schedule of the rate depends on it");
-    bind_option(app, "--batch-size", "batch_size", "Images of a step, on each rank");
-    bind_option(app, "--precision", "precision", "Of the compute; bf16 is mixed")->type_name("bf16|fp32");
-    bind_option(app, "--seed", "seed", "Of weights, order and augmentation");
-    app.add_option("--device", request_.device, "Where it is computed")->type_name("cpu|cuda")->capture_default_str();
-    app.add_option("--threads", request_.threads, "Of the compute; 0 is one a core")->capture_default_str();
-    app.add_flag("--resume", request_.resume, "Go on from OUT/last.pt, where it is there");
-    app.add_option("--checkpoint-interval", request_.checkpoint_interval_s,
-                   "last.pt is written after every epoch, and at least so often")
-        ->type_name("SECONDS")
-        ->capture_default_str();
-    app.add_flag("--json", as_json_, "Print JSON instead of a table");
-}
+struct TrainOptions {
+    std::string data;
+    std::string out;
+    learning::TrainRequest rest;  ///< all but data and out, which the command line gives as text, and the settings
+    bool as_json = false;
+};
 
-Json TrainCommand::default_settings() const {
-    const learning::TrainSettings defaults;  // a temporary makes GCC 12 warn of one that is not initialised
-    return defaults;
-}
-
-ExitCode TrainCommand::run(const Json& settings) {
+ExitCode train(const TrainOptions& options, const Json& settings) {
     const learning::Engine& engine = learning::engine();
-    request_.settings = settings.get<learning::TrainSettings>();
-    const learning::TrainResult result = engine.train(request_);
+    learning::TrainRequest request = options.rest;
+    request.data = options.data;
+    request.out = options.out;
+    request.settings = settings.get<learning::TrainSettings>();
+    const learning::TrainResult result = engine.train(request);
     if (!result.leads) {
         return ExitCode::done;
     }
@@ -52,12 +30,48 @@ ExitCode TrainCommand::run(const Json& settings) {
         log_warning("stopped after " + std::to_string(result.epochs) + " epochs; --resume goes on");
         return ExitCode::failed;
     }
-    if (as_json_) {
-        std::cout << result_json(request_, result).dump(2) << '\n';
+    if (options.as_json) {
+        std::cout << result_json(request, result).dump(2) << '\n';
     } else {
         std::cout << result_table(result).text() << "checkpoint: " << result.best.string() << '\n';
     }
-    return write_train_page(engine, request_, result) ? ExitCode::done : ExitCode::done_with_loss;
+    return write_train_page(engine, request, result) ? ExitCode::done : ExitCode::done_with_loss;
+}
+
+}  // namespace
+
+Command train_command() {
+    const auto options = std::make_shared<TrainOptions>();
+    const learning::TrainSettings defaults;  // a temporary makes GCC 12 warn of one that is not initialised
+    return {
+        .name = "train",
+        .summary = "Fits a network that reads the degree of degeneracy from particle images",
+        .example = "ddtool train --data out/small --model ddmodel-lite --epochs 10 --out out/lite",
+        .settings = defaults,
+        .options =
+            {
+                {"--data", &options->data, "The data set", "DIR", Presence::required},
+                {"--out", &options->out, "Folder for checkpoints (best.pt, last.pt), metrics, curves and report.html",
+                 "DIR", Presence::required},
+                {"--model", Setting{"model"}, "The network", "ddmodel|ddmodel-lite|mobilenetv3"},
+                {"--label", Setting{"label"}, "What the network learns to tell", "fisher|dispersion"},
+                {"--swarm", Setting{"image.swarm"}, "What of the swarm it sees", "response|step|absolute"},
+                {"--split", Setting{"split"}, "held_out: whole scenes; paper: samples at random", "held_out|paper"},
+                {"--loss", Setting{"loss"}, "What is minimised", "cross-entropy|bce"},
+                {"--optimizer", Setting{"optimizer.name"}, "How it is minimised", "adam|rmsprop|adamw"},
+                {"--epochs", Setting{"epochs"},
+                 "Passes over the training part; the schedule of the rate depends on it"},
+                {"--batch-size", Setting{"batch_size"}, "Images of a step, on each rank"},
+                {"--precision", Setting{"precision"}, "Of the compute; bf16 is mixed", "bf16|fp32"},
+                {"--seed", Setting{"seed"}, "Of weights, order and augmentation"},
+                {"--device", &options->rest.device, "Where it is computed", "cpu|cuda"},
+                {"--threads", &options->rest.threads, "Of the compute; 0 is one a core"},
+                {"--resume", &options->rest.resume, "Go on from OUT/last.pt, where it is there"},
+                {"--checkpoint-interval", &options->rest.checkpoint_interval_s,
+                 "last.pt is written after every epoch, and at least so often", "SECONDS"},
+                {"--json", &options->as_json, "Print JSON instead of a table"},
+            },
+        .run = [options](const Json& settings) { return train(*options, settings); }};
 }
 
 }  // namespace ddtool

@@ -2,8 +2,6 @@
 
 #include <gmock/gmock.h>
 
-#include <memory>
-
 #include "system/log.hpp"
 #include "thrown_text.hpp"
 #include "version.hpp"
@@ -15,28 +13,21 @@ using test::thrown_text;
 using testing::HasSubstr;
 
 /// Hands out the settings it was run with.
-class Probe : public Command {
-public:
-    explicit Probe(Json& seen) : Command("probe", "Shows its settings", "ddtool probe --particles 5"), seen_(seen) {}
-
-protected:
-    void add_options(CLI::App& app) override {
-        bind_option(app, "--particles", "filter.particles", "How many");
-        bind_option(app, "--method", "method", "Which");
-        bind_option(app, "--fast", "fast", "Whether");
-        bind_option(app, "--laser-pose", "laser_pose", "Where");
-    }
-    [[nodiscard]] Json default_settings() const override {
-        return {{"filter", {{"particles", 30}}}, {"method", "m"}, {"fast", true}, {"laser_pose", {0.0, 0.0, 0.0}}};
-    }
-    ExitCode run(const Json& settings) override {
-        seen_ = settings;
-        return ExitCode::done_with_loss;
-    }
-
-private:
-    Json& seen_;
-};
+Command probe(Json& seen) {
+    return {
+        .name = "probe",
+        .summary = "Shows its settings",
+        .example = "ddtool probe --particles 5",
+        .settings = {{"filter", {{"particles", 30}}}, {"method", "m"}, {"fast", true}, {"laser_pose", {0.0, 0.0, 0.0}}},
+        .options = {{"--particles", Setting{"filter.particles"}, "How many"},
+                    {"--method", Setting{"method"}, "Which"},
+                    {"--fast", Setting{"fast"}, "Whether"},
+                    {"--laser-pose", Setting{"laser_pose"}, "Where"}},
+        .run = [&seen](const Json& settings) {
+            seen = settings;
+            return ExitCode::done_with_loss;
+        }};
+}
 
 struct Outcome {
     ExitCode code = ExitCode::done;
@@ -46,8 +37,7 @@ struct Outcome {
 
 Outcome outcome(std::vector<const char*> words) {
     Outcome result;
-    CommandTable commands;
-    commands.push_back(std::make_unique<Probe>(result.settings));
+    const CommandTable commands{probe(result.settings)};
     words.insert(words.begin(), "ddtool");
     testing::internal::CaptureStdout();
     try {

@@ -42,7 +42,7 @@ std::vector<SensorFrame> with_scan_odometry(const std::vector<SensorFrame>& fram
 }
 
 /// Largest distance between the motions since the first frame.
-double largest_error_m(const std::vector<SensorFrame>& frames) {
+double largest_odometry_error_m(const std::vector<SensorFrame>& frames) {
     double largest = 0.0;
     for (const SensorFrame& frame : frames) {
         const Pose2 truth = between(*frames.front().world_from_robot, *frame.world_from_robot);
@@ -54,8 +54,8 @@ double largest_error_m(const std::vector<SensorFrame>& frames) {
 TEST(ScanOdometry, FollowsTheRobotThroughARoom) {
     const std::vector<SensorFrame> frames = with_scan_odometry(room_drive());
     ASSERT_EQ(frames.size(), room_drive().size());
-    EXPECT_LT(largest_error_m(frames), 0.1);
-    EXPECT_GT(largest_error_m(without_odometry(room_drive())), 1.0);
+    EXPECT_LT(largest_odometry_error_m(frames), 0.1);
+    EXPECT_GT(largest_odometry_error_m(without_odometry(room_drive())), 1.0);
 }
 
 TEST(ScanOdometry, LeavesEverythingElseAsItIs) {

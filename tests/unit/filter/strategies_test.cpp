@@ -5,7 +5,7 @@
 namespace ddtool {
 namespace {
 
-std::vector<SnapshotParticle> swarm(const std::vector<double>& weights) {
+std::vector<SnapshotParticle> weighted_swarm(const std::vector<double>& weights) {
     std::vector<SnapshotParticle> particles;
     for (const double weight : weights) {
         SnapshotParticle particle;
@@ -17,7 +17,7 @@ std::vector<SnapshotParticle> swarm(const std::vector<double>& weights) {
 }
 
 TEST(SystematicResampling, OfEqualWeightsKeepsEveryParticleInPlace) {
-    const std::vector<SnapshotParticle> particles = swarm(std::vector<double>(8, 0.125));
+    const std::vector<SnapshotParticle> particles = weighted_swarm(std::vector<double>(8, 0.125));
     RandomStream random{1};
     const std::vector<Descendant> next = SystematicResampling().resample(particles, random);
     ASSERT_EQ(next.size(), 8U);
@@ -28,7 +28,7 @@ TEST(SystematicResampling, OfEqualWeightsKeepsEveryParticleInPlace) {
 }
 
 TEST(SystematicResampling, DescendantsStandWhereTheirParentsDid) {
-    const std::vector<SnapshotParticle> particles = swarm({0.1, 0.0, 0.6, 0.3});
+    const std::vector<SnapshotParticle> particles = weighted_swarm({0.1, 0.0, 0.6, 0.3});
     for (std::uint64_t seed = 0; seed < 20; ++seed) {
         RandomStream random{seed};
         for (const Descendant& descendant : SystematicResampling().resample(particles, random)) {

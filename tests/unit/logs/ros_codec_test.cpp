@@ -56,7 +56,7 @@ TYPED_TEST_SUITE(RosCodec, Messages);
 
 /// Messages have no comparison; the ROS 1 bytes, which are without padding, tell all their fields.
 template <typename Message>
-void expect_same(const std::optional<Message>& decoded, const Message& message) {
+void expect_same_message(const std::optional<Message>& decoded, const Message& message) {
     ASSERT_TRUE(decoded);
     EXPECT_EQ(test::encode_ros1(*decoded), test::encode_ros1(message));
 }
@@ -65,7 +65,7 @@ TYPED_TEST(RosCodec, CdrGoesThereAndBackInBothByteOrders) {
     const auto message = filled<TypeParam>();
     for (const std::endian endian : {std::endian::little, std::endian::big}) {
         const std::vector<std::byte> data = encode_cdr(message, endian);
-        expect_same(decode_cdr<TypeParam>(data), message);
+        expect_same_message(decode_cdr<TypeParam>(data), message);
         EXPECT_EQ(data[1], endian == std::endian::little ? std::byte{1} : std::byte{0});
     }
 }
@@ -120,7 +120,7 @@ TYPED_TEST_SUITE(Ros1Codec, Ros1Messages);
 TYPED_TEST(Ros1Codec, GoesThereAndBackAndIsRefusedWhereItIsCut) {
     const auto message = filled<TypeParam>();
     const std::vector<std::byte> data = test::encode_ros1(message);
-    expect_same(decode_ros1<TypeParam>(data), message);
+    expect_same_message(decode_ros1<TypeParam>(data), message);
     for (std::size_t length = 0; length < data.size(); ++length) {
         const std::vector<std::byte> cut(data.begin(), data.begin() + static_cast<std::ptrdiff_t>(length));
         EXPECT_FALSE(decode_ros1<TypeParam>(cut)) << length;

@@ -12,13 +12,13 @@
 namespace ddtool {
 namespace {
 
-constexpr std::size_t size_px = 40;
+constexpr std::size_t augmented_size_px = 40;
 constexpr std::uint8_t marked = 1;
 using Pixels = std::vector<std::uint8_t>;
 
 Pixels mark(const std::vector<ImagePixel>& places, double sigma_px, double threshold) {
-    Pixels pixels(size_px * size_px, 0);
-    GaussianAugmentation(sigma_px, threshold, size_px).mark(std::span(places), std::span(pixels), marked);
+    Pixels pixels(augmented_size_px * augmented_size_px, 0);
+    GaussianAugmentation(sigma_px, threshold, augmented_size_px).mark(std::span(places), std::span(pixels), marked);
     return pixels;
 }
 
@@ -44,10 +44,10 @@ TEST(GaussianAugmentation, NeverUnmarksHoweverManyOverlap) {
 /// The equation as it stands: for every pixel the sum over all particles within reach.
 Pixels mark_by_the_equation(const std::vector<ImagePixel>& places, double sigma_px, double threshold) {
     const double variance = sigma_px * sigma_px;
-    Pixels pixels(size_px * size_px, 0);
+    Pixels pixels(augmented_size_px * augmented_size_px, 0);
     for (std::size_t index = 0; index < pixels.size(); ++index) {
-        const std::size_t row = index / size_px;
-        const std::size_t column = index % size_px;
+        const std::size_t row = index / augmented_size_px;
+        const std::size_t column = index % augmented_size_px;
         double sum = 0.0;
         for (const ImagePixel& place : places) {
             const double dy = std::abs(static_cast<double>(row) - static_cast<double>(place.row));
@@ -66,7 +66,7 @@ TEST(GaussianAugmentation, IsTheEquationUpToTheImagesEdges) {
         RandomStream random({seed});
         std::vector<ImagePixel> places(10 + random.index(300));
         for (ImagePixel& place : places) {
-            place = {random.index(size_px), random.index(size_px)};
+            place = {random.index(augmented_size_px), random.index(augmented_size_px)};
         }
         const double sigma_px = random.uniform(0.5, 3.0);
         const double threshold = random.uniform(0.002, 0.3);
@@ -76,10 +76,10 @@ TEST(GaussianAugmentation, IsTheEquationUpToTheImagesEdges) {
 }
 
 TEST(GaussianAugmentation, ForgetsTheImageBefore) {
-    GaussianAugmentation augmentation(1.0, 0.1, size_px);
+    GaussianAugmentation augmentation(1.0, 0.1, augmented_size_px);
     const std::vector<ImagePixel> lone{{0, 39}};
     for (int image = 0; image < 3; ++image) {
-        Pixels pixels(size_px * size_px, 0);
+        Pixels pixels(augmented_size_px * augmented_size_px, 0);
         augmentation.mark(std::span(lone), std::span(pixels), marked);
         EXPECT_EQ(pixels, mark(lone, 1.0, 0.1));
     }

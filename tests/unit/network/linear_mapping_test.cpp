@@ -11,7 +11,7 @@
 namespace ddtool {
 namespace {
 
-constexpr std::size_t size_px = 224;
+constexpr std::size_t mapped_size_px = 224;
 
 std::vector<Point2> uniform_points(std::size_t count, std::uint64_t seed, double width_m, double height_m) {
     RandomStream random({seed});
@@ -49,7 +49,7 @@ TEST(AxisMapping, HasItsEdgesInsideAndNothingBeyond) {
 }
 
 TEST(LinearMapping, HasOneMetricScaleInBothDimensionsWhateverTheShape) {
-    constexpr double px_per_m = size_px / 10.0;
+    constexpr double px_per_m = mapped_size_px / 10.0;
     for (const auto& [width_m, height_m] : {std::pair{9.0, 0.1}, {0.1, 9.0}, {0.01, 0.02}, {5.0, 5.0}}) {
         const std::vector<Point2> points = uniform_points(50, 3, width_m, height_m);
         const std::vector<ImagePixel> places = places_of(points);
@@ -69,8 +69,8 @@ TEST(LinearMapping, PutsTheBoundingBoxInTheMiddle) {
         places.begin(), places.end(), [](const ImagePixel& a, const ImagePixel& b) { return a.column < b.column; });
     const auto [top, bottom] = std::minmax_element(
         places.begin(), places.end(), [](const ImagePixel& a, const ImagePixel& b) { return a.row < b.row; });
-    EXPECT_EQ(left->column + right->column, size_px - 1);
-    EXPECT_EQ(top->row + bottom->row, size_px - 1);
+    EXPECT_EQ(left->column + right->column, mapped_size_px - 1);
+    EXPECT_EQ(top->row + bottom->row, mapped_size_px - 1);
 }
 
 TEST(LinearMapping, LosesExactlyTheParticlesOutsideOfTheCanvas) {
@@ -83,7 +83,7 @@ TEST(LinearMapping, LosesExactlyTheParticlesOutsideOfTheCanvas) {
     std::vector<ImagePixel> expected;
     for (const Point2& point : points) {
         if (on_canvas(point)) {
-            expected.push_back({size_px - 1 - static_cast<std::size_t>((point.y_m + 5.0) * 22.4),
+            expected.push_back({mapped_size_px - 1 - static_cast<std::size_t>((point.y_m + 5.0) * 22.4),
                                 static_cast<std::size_t>((point.x_m + 5.0) * 22.4)});
         }
     }

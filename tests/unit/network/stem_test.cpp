@@ -6,16 +6,16 @@
 namespace ddtool::native {
 namespace {
 
-constexpr std::size_t size_px = 30;
+constexpr std::size_t stem_size_px = 30;
 
 /// An image whose pixels are marked with that probability, and all four corners unless it is 0.
 std::vector<float> drawn_image(double share) {
     RandomStream random({7});
-    std::vector<float> image(size_px * size_px);
+    std::vector<float> image(stem_size_px * stem_size_px);
     for (float& pixel : image) {
         pixel = random.uniform() < share ? 1.0F : 0.0F;
     }
-    for (const std::size_t corner : {std::size_t{0}, size_px - 1, size_px * (size_px - 1), size_px * size_px - 1}) {
+    for (const std::size_t corner : {std::size_t{0}, stem_size_px - 1, stem_size_px * (stem_size_px - 1), stem_size_px * stem_size_px - 1}) {
         image[corner] = share > 0.0 ? 1.0F : 0.0F;
     }
     return image;
@@ -26,7 +26,7 @@ protected:
     StemOf() { drawn_.add_convolution("stem", GetParam().channels, 1, GetParam().kernel_px); }
 
     [[nodiscard]] naive::Map expected(const std::vector<float>& image) const {
-        const naive::Map in{1, size_px, doubles(image)};
+        const naive::Map in{1, stem_size_px, doubles(image)};
         return naive::relu(naive::max_pool(naive::convolution(
             drawn_.tensors, "stem", in, static_cast<std::size_t>(GetParam().channels),
             static_cast<std::size_t>(GetParam().kernel_px), static_cast<std::size_t>(GetParam().stride))));
@@ -37,7 +37,7 @@ protected:
 
 TEST_P(StemOf, IsThatOfItsDefinitionHoweverManyPixelsAreMarked) {
     NamedWeights weights(drawn_.tensors);
-    Stem stem(weights, GetParam(), size_px);
+    Stem stem(weights, GetParam(), stem_size_px);
     for (const double share : {0.0, 0.02, 0.5, 1.0, 0.02}) {
         const std::vector<float> image = drawn_image(share);
         expect_near(planar(stem.run(image), stem.out_shape()).data(), expected(image).values, 5e-6);

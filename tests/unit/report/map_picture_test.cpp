@@ -52,7 +52,7 @@ constexpr std::array<std::uint8_t, 3> free_ground{254, 254, 254};
 constexpr std::array<std::uint8_t, 3> black{0, 0, 0};
 constexpr std::array<std::uint8_t, 3> blue{178, 114, 0};   // the path
 constexpr std::array<std::uint8_t, 3> green{115, 158, 0};  // its start
-constexpr std::array<std::uint8_t, 3> red{30, 50, 213};    // its end
+constexpr std::array<std::uint8_t, 3> path_red{30, 50, 213};    // its end
 
 TEST(MapPicture, ShowsACellAsASquareWhereThereIsRoom) {
     const Pixels pixels = picture_of(free_map_with_one_wall_cell(40, 20), {});
@@ -81,7 +81,7 @@ TEST(MapPicture, ShowsStartAndEndWhereTheyAreOnePlace) {
     const Trajectory loop{{0, {-0.5, 2.5, 0.0}}, {1, {0.5, 2.5, 0.0}}, {2, {-0.5, 2.5, 0.0}}};
     const Pixels pixels = picture_of(free_map_with_one_wall_cell(40, 20), loop);
     EXPECT_GT(pixels.count(green), 10U);
-    EXPECT_GT(pixels.count(red), 10U);
+    EXPECT_GT(pixels.count(path_red), 10U);
 }
 
 TEST(MapPicture, MayBeOfOneCellAndOnePose) {

@@ -11,7 +11,7 @@ namespace ddtool {
 namespace {
 
 constexpr double tolerance = 1e-9;
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 void expect_near(const Pose2& a, const Pose2& b) {
     EXPECT_NEAR(a.x_m, b.x_m, tolerance);

@@ -14,7 +14,7 @@
 namespace ddtool {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr ScanPointsSettings apart{.usable_range_m = 40.0, .spacing_m = 0.0, .normal_radius_m = 0.25};
 
 /// Beams from -1 to 1 rad with ranges by angle.

@@ -16,7 +16,7 @@ struct Forecasts {
 };
 
 /// What happens has the probability that was forecast.
-Forecasts drawn(std::size_t count) {
+Forecasts drawn_probabilities(std::size_t count) {
     RandomStream random({5});
     Forecasts forecasts;
     for (std::size_t i = 0; i < count; ++i) {
@@ -61,7 +61,7 @@ TEST(Reliability, EveryForecastIsInTheBinThatHoldsIt) {
 }
 
 TEST(Reliability, ForecastsThatComeTrueAreCalibratedAndSharpenedOnesAreNot) {
-    const Forecasts forecasts = drawn(20000);
+    const Forecasts forecasts = drawn_probabilities(20000);
     EXPECT_LT(error_of(forecasts), 0.01);
     EXPECT_GT(error_of(heated(forecasts, 0.3)), 0.1);
     EXPECT_TRUE(std::isnan(error_of({})));
@@ -74,7 +74,7 @@ TEST(Temperature, OneOverTheOtherGivesBackTheProbability) {
 }
 
 TEST(Temperature, FittedUndoesTheHeating) {
-    const Forecasts forecasts = drawn(20000);
+    const Forecasts forecasts = drawn_probabilities(20000);
     const double own = fitted_temperature(forecasts.probabilities, forecasts.positive);
     EXPECT_NEAR(own, 1.0, 0.03);
     for (const double temperature : {0.5, 2.0, 5.0}) {
@@ -84,7 +84,7 @@ TEST(Temperature, FittedUndoesTheHeating) {
 }
 
 TEST(Temperature, FittedIsTheBestOfItsNeighbours) {
-    Forecasts forecasts = heated(drawn(500), 0.4);
+    Forecasts forecasts = heated(drawn_probabilities(500), 0.4);
     const double best = fitted_temperature(forecasts.probabilities, forecasts.positive);
     const double least = negative_log_likelihood(heated(forecasts, best));
     EXPECT_LT(least, negative_log_likelihood(heated(forecasts, 1.05 * best)));

@@ -15,7 +15,7 @@ struct Drawn {
     std::vector<bool> positive;
 };
 
-Drawn drawn(std::size_t count) {
+Drawn drawn_decisions(std::size_t count) {
     RandomStream random({7});
     Drawn samples;
     for (std::size_t i = 0; i < count; ++i) {
@@ -35,7 +35,7 @@ TEST(Confusion, CountsEveryDecisionInItsPlace) {
 }
 
 TEST(Confusion, F1IsTheHarmonicMeanOfPrecisionAndRecall) {
-    const Drawn samples = drawn(200);
+    const Drawn samples = drawn_decisions(200);
     for (const double threshold : {-1.0, 0.0, 0.7, 2.0}) {
         const Confusion confusion = confusion_of(samples.scores, samples.positive, threshold);
         EXPECT_EQ(confusion.count(), 200U);
@@ -44,7 +44,7 @@ TEST(Confusion, F1IsTheHarmonicMeanOfPrecisionAndRecall) {
 }
 
 TEST(Confusion, TurnedRoundSwapsTheClasses) {
-    const Drawn samples = drawn(200);
+    const Drawn samples = drawn_decisions(200);
     std::vector<double> turned;
     std::vector<bool> others;
     for (std::size_t i = 0; i < samples.scores.size(); ++i) {

@@ -10,15 +10,15 @@
 namespace ddtool {
 namespace {
 
-struct Scored {
+struct ScoredLabels {
     std::vector<double> scores;
     std::vector<bool> positive;
 };
 
 /// Few distinct scores, so that there are ties; positives score higher, or lower where gap is negative.
-Scored drawn(std::uint64_t seed, double gap) {
+ScoredLabels drawn_scores(std::uint64_t seed, double gap) {
     RandomStream random({seed});
-    Scored scored;
+    ScoredLabels scored;
     for (std::size_t i = 0; i < 50; ++i) {
         scored.positive.push_back(random.index(2) == 0);
         scored.scores.push_back(std::round(2.0 * random.normal() + (scored.positive.back() ? gap : 0.0)));
@@ -26,7 +26,7 @@ Scored drawn(std::uint64_t seed, double gap) {
     return scored;
 }
 
-std::size_t right_by(const DecisionThreshold& threshold, const Scored& scored) {
+std::size_t right_by(const DecisionThreshold& threshold, const ScoredLabels& scored) {
     std::size_t right = 0;
     for (std::size_t i = 0; i < scored.scores.size(); ++i) {
         const bool above = scored.scores[i] > threshold.value;
@@ -37,7 +37,7 @@ std::size_t right_by(const DecisionThreshold& threshold, const Scored& scored) {
 
 TEST(MostAccurateThreshold, NoOtherCutIsRightMoreOften) {
     for (std::uint64_t seed = 0; seed < 20; ++seed) {
-        const Scored scored = drawn(seed, seed % 2 == 0 ? 2.0 : -2.0);
+        const ScoredLabels scored = drawn_scores(seed, seed % 2 == 0 ? 2.0 : -2.0);
         const DecisionThreshold best = most_accurate_threshold(scored.scores, scored.positive);
         std::size_t most = 0;
         for (double value = -12.5; value < 12.0; value += 1.0) {
@@ -48,7 +48,7 @@ TEST(MostAccurateThreshold, NoOtherCutIsRightMoreOften) {
 }
 
 TEST(MostAccurateThreshold, TurnedScoresTurnTheSide) {
-    Scored scored = drawn(3, 4.0);
+    ScoredLabels scored = drawn_scores(3, 4.0);
     const std::size_t right = right_by(most_accurate_threshold(scored.scores, scored.positive), scored);
     std::transform(scored.scores.begin(), scored.scores.end(), scored.scores.begin(), std::negate<>());
     const DecisionThreshold turned = most_accurate_threshold(scored.scores, scored.positive);

@@ -11,7 +11,7 @@ namespace ddtool::sim {
 namespace {
 
 constexpr std::int64_t start_ns = 1'000'000'000;
-constexpr std::int64_t step_ns = 10'000'000;
+constexpr std::int64_t drive_step_ns = 10'000'000;
 constexpr double step_s = 0.01;
 
 const Route zigzag{
@@ -33,7 +33,7 @@ std::vector<Speeds> speeds_of(const Trajectory& trajectory) {
 }
 
 TEST(Drive, PassesEveryWayPointAndStopsAtTheLast) {
-    const Trajectory trajectory = drive(zigzag, {}, start_ns, step_ns);
+    const Trajectory trajectory = drive(zigzag, {}, start_ns, drive_step_ns);
     for (const Point2& way_point : zigzag.way_points) {
         double nearest_m = 1e9;
         for (const StampedPose& stamped : trajectory) {
@@ -48,7 +48,7 @@ TEST(Drive, PassesEveryWayPointAndStopsAtTheLast) {
 
 TEST(Drive, KeepsTheLimitsOfTheRobot) {
     const DriveSettings settings;
-    const std::vector<Speeds> speeds = speeds_of(drive(zigzag, settings, start_ns, step_ns));
+    const std::vector<Speeds> speeds = speeds_of(drive(zigzag, settings, start_ns, drive_step_ns));
     constexpr double rounding = 1e-6;
     Speeds last{0.0, 0.0};
     for (const Speeds& now : speeds) {
@@ -62,7 +62,7 @@ TEST(Drive, KeepsTheLimitsOfTheRobot) {
 }
 
 TEST(Drive, NeverMovesSideways) {
-    const Trajectory trajectory = drive(zigzag, {}, start_ns, step_ns);
+    const Trajectory trajectory = drive(zigzag, {}, start_ns, drive_step_ns);
     for (std::size_t i = 1; i < trajectory.size(); ++i) {
         // The chord of an arc leaves at half the turn.
         const Pose2 motion = between(trajectory[i - 1].pose, trajectory[i].pose);
@@ -73,16 +73,16 @@ TEST(Drive, NeverMovesSideways) {
 TEST(Drive, TurnsInPlaceAtASharpCorner) {
     const Route there_and_back{.start = {}, .way_points = {{5.0, 0.0}, {0.0, 0.0}}};
     double turned_rad = 0.0;
-    for (const Speeds& now : speeds_of(drive(there_and_back, {}, start_ns, step_ns))) {
+    for (const Speeds& now : speeds_of(drive(there_and_back, {}, start_ns, drive_step_ns))) {
         turned_rad += now.along < 1e-9 ? std::abs(now.turning) * step_s : 0.0;
     }
     EXPECT_GT(turned_rad, 0.9 * std::numbers::pi);
 }
 
 TEST(Drive, StampsEveryStep) {
-    const Trajectory trajectory = drive(zigzag, {}, start_ns, step_ns);
+    const Trajectory trajectory = drive(zigzag, {}, start_ns, drive_step_ns);
     for (std::size_t i = 0; i < trajectory.size(); ++i) {
-        ASSERT_EQ(trajectory[i].stamp_ns, start_ns + static_cast<std::int64_t>(i) * step_ns);
+        ASSERT_EQ(trajectory[i].stamp_ns, start_ns + static_cast<std::int64_t>(i) * drive_step_ns);
     }
 }
 
@@ -93,8 +93,8 @@ TEST(Drive, MovesWithTheRoute) {
     for (Point2& point : moved.way_points) {
         point = moved_from_world * point;
     }
-    const Trajectory here = drive(zigzag, {}, start_ns, step_ns);
-    const Trajectory there = drive(moved, {}, start_ns, step_ns);
+    const Trajectory here = drive(zigzag, {}, start_ns, drive_step_ns);
+    const Trajectory there = drive(moved, {}, start_ns, drive_step_ns);
     ASSERT_EQ(here.size(), there.size());
     for (std::size_t i = 0; i < here.size(); i += 50) {
         EXPECT_NEAR(distance_m(moved_from_world * here[i].pose, there[i].pose), 0.0, 1e-6);
@@ -104,14 +104,14 @@ TEST(Drive, MovesWithTheRoute) {
 TEST(Drive, LapsRepeatTheWayPoints) {
     Route square{.start = {}, .way_points = {{4.0, 0.0}, {4.0, 4.0}, {0.0, 4.0}, {0.0, 0.0}}};
     square.laps = 1.5;
-    const Pose2 end = drive(square, {}, start_ns, step_ns).back().pose;
+    const Pose2 end = drive(square, {}, start_ns, drive_step_ns).back().pose;
     EXPECT_NEAR(end.x_m, 4.0, 0.05);
     EXPECT_NEAR(end.y_m, 4.0, 0.05);
 }
 
-std::string refusal(const Route& route, const DriveSettings& settings) {
+std::string drive_refusal(const Route& route, const DriveSettings& settings) {
     try {
-        drive(route, settings, start_ns, step_ns);
+        drive(route, settings, start_ns, drive_step_ns);
     } catch (const UsageError& error) {
         return error.what();
     }
@@ -122,12 +122,12 @@ TEST(Drive, SaysWhichWayPointIsOutOfReach) {
     const Route route{.start = {}, .way_points = {{2.0, 0.0}, {2.0, 2.0}}};
     // Too slow a turn: the second leg is left sideways, or its start never faced.
     const DriveSettings sideways{.turn_rate_rad_per_s = 0.05, .turn_in_place_above_rad = 4.0, .lookahead_m = 0.1};
-    EXPECT_THAT(refusal(route, sideways), testing::HasSubstr("way point 2"));
-    EXPECT_THAT(refusal(route, {.turn_rate_rad_per_s = 1e-3}), testing::HasSubstr("way point 2"));
+    EXPECT_THAT(drive_refusal(route, sideways), testing::HasSubstr("way point 2"));
+    EXPECT_THAT(drive_refusal(route, {.turn_rate_rad_per_s = 1e-3}), testing::HasSubstr("way point 2"));
 }
 
 TEST(Drive, RefusesARobotThatCannotMove) {
-    EXPECT_THAT(refusal(zigzag, {.speed_m_per_s = 0.0}), testing::HasSubstr("above 0"));
+    EXPECT_THAT(drive_refusal(zigzag, {.speed_m_per_s = 0.0}), testing::HasSubstr("above 0"));
 }
 
 }  // namespace

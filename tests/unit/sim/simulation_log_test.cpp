@@ -21,7 +21,7 @@ World short_drive() {
     return world;
 }
 
-SimulationSettings small_settings() {
+SimulationSettings logged_settings() {
     SimulationSettings settings;
     settings.lidar.beams = 45;
     settings.lidar.motion_distortion = true;
@@ -31,7 +31,7 @@ SimulationSettings small_settings() {
 
 std::filesystem::path write_log(const test::TemporaryFolder& folder, const std::string& name) {
     const std::filesystem::path file = folder / name;
-    write_simulation_log(Simulation(short_drive(), small_settings()), file, [](std::size_t) {});
+    write_simulation_log(Simulation(short_drive(), logged_settings()), file, [](std::size_t) {});
     return file;
 }
 
@@ -55,7 +55,7 @@ void expect_same_scan(const LaserScan& scan, const LaserScan& expected) {
 TEST(SimulationLog, ReadsBackAsTheSimulatedStream) {
     const test::TemporaryFolder folder;
     const auto log = open_log(write_log(folder, "drive.mcap"), {}, {});
-    SimulatedStream stream(short_drive(), small_settings());
+    SimulatedStream stream(short_drive(), logged_settings());
     const auto told_by_log = std::make_shared<ScanTruth>();
     const auto told_by_stream = std::make_shared<ScanTruth>();
     log->tell_truth(told_by_log);
@@ -81,7 +81,7 @@ TEST(SimulationLog, ReadsBackAsTheSimulatedStream) {
 
 TEST(SimulationLog, HoldsTheFisherInformationOfEveryScanAtItsStamp) {
     const test::TemporaryFolder folder;
-    const Simulation simulation(short_drive(), small_settings());
+    const Simulation simulation(short_drive(), logged_settings());
     McapReader reader(write_log(folder, "drive.mcap"), {});
     std::size_t index = 0;
     while (const std::optional<McapMessage> message = reader.next()) {

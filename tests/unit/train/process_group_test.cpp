@@ -22,7 +22,7 @@ std::optional<ProcessGroup> group_in(const Variables& variables) {
     });
 }
 
-Variables with(Variables variables, const Variables& changes) {
+Variables environment_with(Variables variables, const Variables& changes) {
     for (const auto& [name, value] : changes) {
         variables[name] = value;
     }
@@ -69,11 +69,11 @@ TEST(ProcessGroup, IsOpenMpis) {
     expect_fifth_of_eight(group);
     EXPECT_EQ(group->master_address, "node7");
     EXPECT_EQ(group->master_port, 29500);
-    EXPECT_EQ(group_in(with(open_mpi, {{"MASTER_PORT", "1234"}}))->master_port, 1234);
+    EXPECT_EQ(group_in(environment_with(open_mpi, {{"MASTER_PORT", "1234"}}))->master_port, 1234);
 }
 
 TEST(ProcessGroup, NeedsNoAddressForOpenMpiOnOneMachine) {
-    const Variables on_one = without(with(open_mpi, {{"OMPI_COMM_WORLD_LOCAL_SIZE", "8"}}), "MASTER_ADDR");
+    const Variables on_one = without(environment_with(open_mpi, {{"OMPI_COMM_WORLD_LOCAL_SIZE", "8"}}), "MASTER_ADDR");
     EXPECT_EQ(group_in(on_one)->master_address, "127.0.0.1");
     EXPECT_THAT(thrown_text<UsageError>([] { group_in(without(open_mpi, "MASTER_ADDR")); }), HasSubstr("MASTER_ADDR"));
 }
@@ -83,17 +83,17 @@ TEST(ProcessGroup, IsSlurms) {
     expect_fifth_of_eight(group);
     EXPECT_EQ(group->master_address, "node07") << "of the step, not of the job";
     EXPECT_EQ(group->master_port, 24567);
-    const auto given = group_in(with(slurm, {{"MASTER_ADDR", "head"}, {"MASTER_PORT", "1234"}}));
+    const auto given = group_in(environment_with(slurm, {{"MASTER_ADDR", "head"}, {"MASTER_PORT", "1234"}}));
     EXPECT_EQ(given->master_address, "head");
     EXPECT_EQ(given->master_port, 1234);
 }
 
 TEST(ProcessGroup, IsNoneForOneProcess) {
-    EXPECT_FALSE(group_in(with(torchrun, {{"RANK", "0"}, {"WORLD_SIZE", "1"}, {"LOCAL_RANK", "0"}})));
+    EXPECT_FALSE(group_in(environment_with(torchrun, {{"RANK", "0"}, {"WORLD_SIZE", "1"}, {"LOCAL_RANK", "0"}})));
     EXPECT_FALSE(group_in(
-        with(open_mpi,
+        environment_with(open_mpi,
              {{"OMPI_COMM_WORLD_RANK", "0"}, {"OMPI_COMM_WORLD_SIZE", "1"}, {"OMPI_COMM_WORLD_LOCAL_RANK", "0"}})));
-    EXPECT_FALSE(group_in(with(slurm, {{"SLURM_STEP_NUM_TASKS", "1"}, {"SLURM_PROCID", "0"}, {"SLURM_LOCALID", "0"}})));
+    EXPECT_FALSE(group_in(environment_with(slurm, {{"SLURM_STEP_NUM_TASKS", "1"}, {"SLURM_PROCID", "0"}, {"SLURM_LOCALID", "0"}})));
 }
 
 TEST(ProcessGroup, IsNoneInABatchScriptOrAShellOfSlurm) {
@@ -104,10 +104,10 @@ TEST(ProcessGroup, IsNoneInABatchScriptOrAShellOfSlurm) {
 
 TEST(ProcessGroup, IsThatOfTheNearestLauncher) {
     const Variables daemons{{"SLURM_PROCID", "1"}, {"SLURM_STEP_NUM_TASKS", "2"}, {"SLURM_LOCALID", "0"}};
-    expect_fifth_of_eight(group_in(with(daemons, torchrun)));
-    expect_fifth_of_eight(group_in(with(daemons, open_mpi)));
+    expect_fifth_of_eight(group_in(environment_with(daemons, torchrun)));
+    expect_fifth_of_eight(group_in(environment_with(daemons, open_mpi)));
     const Variables alone{{"RANK", "0"}, {"WORLD_SIZE", "1"}, {"LOCAL_RANK", "0"}};
-    EXPECT_FALSE(group_in(with(slurm, alone))) << "a way to switch Slurm's off";
+    EXPECT_FALSE(group_in(environment_with(slurm, alone))) << "a way to switch Slurm's off";
 }
 
 TEST(ProcessGroup, NamesTheVariableThatIsMissing) {
@@ -129,7 +129,7 @@ TEST(ProcessGroup, NamesTheVariableThatMakesNoSense) {
         {"LOCAL_RANK", "8"}, {"MASTER_PORT", "0"}, {"LOCAL_RANK", ""}, {"MASTER_PORT", "70000"}};
     for (const auto& [name, value] : senseless) {
         EXPECT_THAT(thrown_text<UsageError>([&, name = name, value = value] {
-                        group_in(with(torchrun, {{name, value}}));
+                        group_in(environment_with(torchrun, {{name, value}}));
                     }),
                     AllOf(HasSubstr(" " + name + ": expected"), HasSubstr("'" + value + "'")));
     }

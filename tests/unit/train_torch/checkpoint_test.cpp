@@ -9,13 +9,13 @@
 namespace ddtool::training {
 namespace {
 
-constexpr std::size_t size_px = 64;
+constexpr std::size_t trained_size_px = 64;
 
 native::ModelDescription small_lite() {
     native::ModelDescription about;
     about.network = "ddmodel-lite";
     about.loss = "bce";
-    about.image.size_px = size_px;
+    about.image.size_px = trained_size_px;
     about.temperature = 1.5;
     about.metrics = {{"epoch", 3}};
     return about;
@@ -23,7 +23,7 @@ native::ModelDescription small_lite() {
 
 class CheckpointTest : public testing::Test {
 protected:
-    std::shared_ptr<models::Network> network_ = models::make_network("ddmodel-lite", size_px);
+    std::shared_ptr<models::Network> network_ = models::make_network("ddmodel-lite", trained_size_px);
     test::TemporaryFolder folder_;
     std::filesystem::path path_ = folder_ / "best.pt";
 };
@@ -32,7 +32,7 @@ TEST_F(CheckpointTest, GivesTheNetworkAndItsDescriptionBack) {
     write_checkpoint(path_, *network_, small_lite());
     Checkpoint checkpoint(path_);
     EXPECT_EQ(Json(checkpoint.description()), Json(small_lite()));
-    const torch::Tensor images = torch::rand({2, 1, size_px, size_px});
+    const torch::Tensor images = torch::rand({2, 1, trained_size_px, trained_size_px});
     network_->eval();
     EXPECT_TRUE(torch::equal(checkpoint.network()->forward(images), network_->forward(images)));
 }
@@ -48,7 +48,7 @@ TEST_F(CheckpointTest, ADescriptionThatNoNetworkCanHaveIsNamed) {
     about.image.size_px = std::size_t{1} << 40U;
     write_checkpoint(path_, *network_, about);
     const std::string text = test::thrown_text([&] { (void)Checkpoint(path_).network(); });
-    EXPECT_TRUE(text.starts_with(path_.string() + ": its description: size_px")) << text;
+    EXPECT_TRUE(text.starts_with(path_.string() + ": its description: trained_size_px")) << text;
 }
 
 TEST_F(CheckpointTest, ACutFileIsNamed) {

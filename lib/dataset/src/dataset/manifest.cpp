@@ -15,7 +15,7 @@ DDTOOL_JSON_STRUCT(Manifest, program, settings, counts, sources, runs, shards)
 namespace {
 
 constexpr const char* format_key = "ddtool_dataset";
-constexpr int format = 2;
+constexpr int manifest_format = 2;
 
 void expect_sound(const Manifest& manifest, const std::filesystem::path& file) {
     expect_counts(manifest.counts);
@@ -35,9 +35,9 @@ Manifest read_manifest(const std::filesystem::path& folder) {
     }
     try {
         const Json json = parse_json(read_file(file), file.string());
-        if (json.at(format_key) != format) {
+        if (json.at(format_key) != manifest_format) {
             throw Error(file.string() + ": version " + json.at(format_key).dump() + " of the format; expected " +
-                        std::to_string(format));
+                        std::to_string(manifest_format));
         }
         auto manifest = json.get<Manifest>();
         expect_sound(manifest, file);
@@ -48,7 +48,7 @@ Manifest read_manifest(const std::filesystem::path& folder) {
 }
 
 void write_manifest(const std::filesystem::path& folder, const Manifest& manifest) {
-    Json json{{format_key, format}};
+    Json json{{format_key, manifest_format}};
     json.update(Json(manifest));
     write_file(folder / manifest_name, json.dump(1) + "\n");
 }

@@ -32,7 +32,7 @@ std::map<std::string, ByClass> used_samples(const Dataset& data, LabelRule rule)
     return families;
 }
 
-std::vector<cv::Mat> drawn(const Dataset& data, const Indices& samples, ParticleRenderer& renderer) {
+std::vector<cv::Mat> drawn_samples(const Dataset& data, const Indices& samples, ParticleRenderer& renderer) {
     std::vector<cv::Mat> pictures;
     const auto size_px = static_cast<int>(renderer.settings().size_px);
     for (std::size_t tile = 0; tile < std::min(tiles, samples.size()); ++tile) {
@@ -49,7 +49,8 @@ void draw_montage(const std::filesystem::path& file, const Dataset& data, LabelR
     ParticleRenderer renderer(settings);
     std::vector<plot::MontageRow> rows;
     for (const auto& [family, samples] : used_samples(data, rule)) {
-        rows.push_back({family, {drawn(data, samples[1], renderer), drawn(data, samples[0], renderer)}});
+        rows.push_back(
+            {family, {drawn_samples(data, samples[1], renderer), drawn_samples(data, samples[0], renderer)}});
     }
     const cv::Mat3b page = plot::montage({class_names[1], class_names[0]}, rows, tile_px);
     write_png(file, pixels_of(page));

@@ -18,7 +18,7 @@ namespace ddtool::dataset {
 namespace {
 
 /// Raised when parts of before no longer hold what this program would compute.
-constexpr int format = 2;
+constexpr int plan_format = 2;
 
 /// A plain world and its textured variant are one scene: the robot drives the same way between the same walls.
 std::string plain_name(std::string world) {
@@ -176,7 +176,7 @@ private:
     }
 
     void add_run(PlannedRun run) {
-        run.configuration["format"] = format;
+        run.configuration["format"] = plan_format;
         run.configuration["seed"] = settings_.at("seed");
         run.configuration["thinning"] = settings_.at("thinning");
         run.entry.source = static_cast<std::uint32_t>(plan_.sources.size() - 1);

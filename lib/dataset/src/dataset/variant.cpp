@@ -8,7 +8,7 @@ namespace ddtool::dataset {
 namespace {
 
 /// Draws even from an empty list, so that the other draws do not depend on it.
-const Json* drawn(const Json& list, RandomStream& random) {
+const Json* drawn_from(const Json& list, RandomStream& random) {
     const std::uint64_t index = random.index(list.empty() ? 1 : list.size());
     return list.empty() ? nullptr : &list[index];
 }
@@ -39,20 +39,20 @@ Variant draw_variant(const Json& item, RandomStream random, const std::string& w
     expect_each(mix.at("methods"), key("methods"), "names of methods",
                 [](const Json& value) { return value.is_string(); });
     Variant variant;
-    if (const Json* particles = drawn(mix.at("particles"), random)) {
+    if (const Json* particles = drawn_from(mix.at("particles"), random)) {
         variant.filter["particles"] = *particles;
     }
-    if (const Json* lidar = drawn(mix.at("lidars"), random)) {
+    if (const Json* lidar = drawn_from(mix.at("lidars"), random)) {
         variant.lidar["preset"] = *lidar;
     }
-    if (const Json* odometry = drawn(mix.at("odometry"), random)) {
+    if (const Json* odometry = drawn_from(mix.at("odometry"), random)) {
         variant.odometry["preset"] = *odometry;
     }
-    if (const Json* distances = drawn(mix.at("update_distances"), random)) {
+    if (const Json* distances = drawn_from(mix.at("update_distances"), random)) {
         variant.filter["update_distance_m"] = (*distances)[0].get<double>();
         variant.filter["update_turn_rad"] = (*distances)[1].get<double>();
     }
-    if (const Json* method = drawn(mix.at("methods"), random)) {
+    if (const Json* method = drawn_from(mix.at("methods"), random)) {
         variant.filter["method"] = *method;
     }
     return variant;

@@ -7,9 +7,6 @@
 namespace ddtool {
 namespace {
 
-/// The search looks at every third block of beams; the outcome is judged by all of them.
-constexpr std::size_t search_stride = 3;
-
 class Climb {
 public:
     Climb(const MatchContext& context, const Pose2& start)

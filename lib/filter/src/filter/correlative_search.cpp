@@ -7,8 +7,6 @@
 namespace ddtool {
 namespace {
 
-constexpr std::size_t search_stride = 3;
-
 /// The axes of the lattice in the world; `weak` is not searched where the scan is degenerate.
 struct LatticeAxes {
     Eigen::Vector2d strong;

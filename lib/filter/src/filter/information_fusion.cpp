@@ -11,7 +11,7 @@ Eigen::Vector3d offset(const Pose2& from, const Pose2& to) {
     return {to.x_m - from.x_m, to.y_m - from.y_m, wrap_angle(to.theta_rad - from.theta_rad)};
 }
 
-Pose2 moved(const Pose2& pose, const Eigen::Vector3d& by) {
+Pose2 moved_by(const Pose2& pose, const Eigen::Vector3d& by) {
     return {pose.x_m + by.x(), pose.y_m + by.y(), wrap_angle(pose.theta_rad + by.z())};
 }
 
@@ -63,7 +63,7 @@ ScanMatch InformationFusion::correct(const MatchContext& context, const ScanMatc
         apart = match_offset(context, found);
         odometry = cautious(odometry, match, apart, settings_.most_deviations);
     }
-    const Pose2 pose = moved(context.odometry, (match + odometry).ldlt().solve(match * apart));
+    const Pose2 pose = moved_by(context.odometry, (match + odometry).ldlt().solve(match * apart));
     ScanMatch fused = found;
     const Eigen::Vector3d change = offset(found.pose, pose);
     if (change.head<2>().norm() > settings_.settled_m || std::abs(change.z()) > settings_.settled_rad) {

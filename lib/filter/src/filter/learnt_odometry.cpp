@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "filter/squared.hpp"
+
 namespace ddtool {
 namespace {
-
-double squared(double value) { return value * value; }
 
 double length_m(const Pose2& motion) { return std::hypot(motion.x_m, motion.y_m); }
 

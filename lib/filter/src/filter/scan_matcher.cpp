@@ -7,17 +7,14 @@
 #include "base/lanes.hpp"
 #include "filter/beam_sums.hpp"
 #include "filter/pose_covariance.hpp"
+#include "filter/squared.hpp"
 
 namespace ddtool {
 namespace {
 
-constexpr std::size_t search_stride = 3;
-
 /// A step of Gauss-Newton smaller than this is the last: the cells are fifty times as large.
 constexpr double settled_m = 1e-3;
 constexpr double settled_rad = 5e-4;
-
-double squared(double value) { return value * value; }
 
 struct Rotation {
     float c, s;

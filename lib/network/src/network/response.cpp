@@ -8,7 +8,7 @@
 namespace ddtool {
 namespace {
 
-bool is_finite(const SnapshotParticle& particle) {
+bool is_finite_particle(const SnapshotParticle& particle) {
     return std::isfinite(particle.predicted_motion.x_m) && std::isfinite(particle.predicted_motion.y_m) &&
            std::isfinite(particle.matched_motion.x_m) && std::isfinite(particle.matched_motion.y_m);
 }
@@ -45,7 +45,7 @@ void response(std::span<const SnapshotParticle> particles, double least_spread_m
     PositionMoments predicted;
     PositionMoments matched;
     for (const SnapshotParticle& particle : particles) {
-        if (is_finite(particle)) {
+        if (is_finite_particle(particle)) {
             predicted.add(particle.predicted_motion);
             matched.add(particle.matched_motion);
         }
@@ -53,7 +53,7 @@ void response(std::span<const SnapshotParticle> particles, double least_spread_m
     const Point2 direction = weakest_direction(predicted, matched, least_spread_m);
     points.clear();
     for (const SnapshotParticle& particle : particles) {
-        if (is_finite(particle)) {
+        if (is_finite_particle(particle)) {
             points.push_back({dot(direction, deviation(particle.predicted_motion, predicted)),
                               dot(direction, deviation(particle.matched_motion, matched))});
         }

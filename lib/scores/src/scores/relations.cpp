@@ -12,7 +12,7 @@
 namespace ddtool {
 namespace {
 
-std::optional<Relation> parse_line(std::string_view line) {
+std::optional<Relation> parse_relation(std::string_view line) {
     const std::optional<std::int64_t> from = parse_stamp(next_word(line));
     const std::optional<std::int64_t> to = parse_stamp(next_word(line));
     std::array<double, 6> values{};
@@ -35,7 +35,7 @@ std::optional<Relation> parse_line(std::string_view line) {
 std::vector<Relation> read_relations(const std::filesystem::path& path) {
     std::vector<Relation> relations;
     for_each_row(path, "eight numbers 'time1 time2 x y z roll pitch yaw' (relations)", [&](std::string_view line) {
-        const std::optional<Relation> relation = parse_line(line);
+        const std::optional<Relation> relation = parse_relation(line);
         if (relation) {
             relations.push_back(*relation);
         }

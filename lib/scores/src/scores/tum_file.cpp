@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::int64_t ns_per_s = 1'000'000'000;
 
-std::optional<StampedPose> parse_line(std::string_view line) {
+std::optional<StampedPose> parse_pose(std::string_view line) {
     const std::optional<std::int64_t> stamp = parse_stamp(next_word(line));
     std::array<double, 7> values{};
     for (double& value : values) {
@@ -41,7 +41,7 @@ std::optional<StampedPose> parse_line(std::string_view line) {
 Trajectory read_tum(const std::filesystem::path& path) {
     Trajectory trajectory;
     for_each_row(path, "eight numbers 'stamp x y z qx qy qz qw' with a rotation (TUM)", [&](std::string_view line) {
-        const std::optional<StampedPose> pose = parse_line(line);
+        const std::optional<StampedPose> pose = parse_pose(line);
         if (pose) {
             trajectory.push_back(*pose);
         }

@@ -13,7 +13,7 @@ constexpr double degree = std::numbers::pi / 180.0;
 /// Surfaces nearer to each other than this give one echo.
 constexpr double echo_separation_m = 0.05;
 
-const std::map<std::string, LidarSettings>& presets() {
+const std::map<std::string, LidarSettings>& lidar_presets() {
     static const std::map<std::string, LidarSettings> table{
         {"ls-m10p", {}},
         {"rplidar-a1",
@@ -101,8 +101,8 @@ float reading(const std::optional<double>& range_m, const LidarSettings& setting
 }  // namespace
 
 LidarSettings lidar_preset(const std::string& name) {
-    const auto found = presets().find(name);
-    if (found == presets().end()) {
+    const auto found = lidar_presets().find(name);
+    if (found == lidar_presets().end()) {
         throw UsageError("unknown lidar '" + name + "'; expected ls-m10p, rplidar-a1, hokuyo-utm-30lx or sick-lms");
     }
     return found->second;

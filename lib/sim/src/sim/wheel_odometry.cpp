@@ -11,7 +11,7 @@
 namespace ddtool::sim {
 namespace {
 
-const std::map<std::string, OdometrySettings>& presets() {
+const std::map<std::string, OdometrySettings>& odometry_presets() {
     static const std::map<std::string, OdometrySettings> table{
         {"good",
          {.scale_error_sd = 0.001,
@@ -70,8 +70,8 @@ private:
 }  // namespace
 
 OdometrySettings odometry_preset(const std::string& name) {
-    const auto found = presets().find(name);
-    if (found == presets().end()) {
+    const auto found = odometry_presets().find(name);
+    if (found == odometry_presets().end()) {
         throw UsageError("unknown odometry '" + name + "'; expected good, typical or poor");
     }
     return found->second;

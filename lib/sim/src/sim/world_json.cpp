@@ -8,7 +8,7 @@
 namespace ddtool::sim {
 namespace {
 
-constexpr double degree = std::numbers::pi / 180.0;
+constexpr double rad_per_deg = std::numbers::pi / 180.0;
 constexpr double most_way_points = 1e6;  ///< of all laps
 
 Json known_world() {
@@ -79,7 +79,7 @@ void add_boxes(World& world, const Json& boxes, const std::string& source) {
         const Json box = completed(known_box(), boxes[i], where);
         const Point2 centre = point(box["centre"], where + ".centre");
         const std::vector<double> size = numbers(box["size"], 2, where + ".size");
-        add_box(world, {centre.x_m, centre.y_m, box["heading_deg"].get<double>() * degree}, size[0], size[1]);
+        add_box(world, {centre.x_m, centre.y_m, box["heading_deg"].get<double>() * rad_per_deg}, size[0], size[1]);
     }
 }
 
@@ -93,13 +93,13 @@ void add_arcs(World& world, const Json& arcs, const Json& known, const std::stri
             throw UsageError(where + ": expected from_deg below to_deg, and at most 360 between them");
         }
         world.arcs.push_back({point(arc["centre"], where + ".centre"), positive(arc["radius_m"], where + ".radius_m"),
-                              from_deg * degree, (to_deg - from_deg) * degree});
+                              from_deg * rad_per_deg, (to_deg - from_deg) * rad_per_deg});
     }
 }
 
 Route route_from(const Json& world, const std::string& source) {
     const std::vector<double> start = numbers(world["start"], 3, source + ": start");
-    Route route{.start = {start[0], start[1], start[2] * degree},
+    Route route{.start = {start[0], start[1], start[2] * rad_per_deg},
                 .way_points = points(world["way_points"], source + ": way_points"),
                 .laps = positive(world["laps"], source + ": laps")};
     if (route.laps * static_cast<double>(route.way_points.size()) > most_way_points) {

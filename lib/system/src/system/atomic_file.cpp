@@ -17,19 +17,19 @@ std::string failure(const std::filesystem::path& path, const char* doing) {
     return path.string() + ": cannot " + doing + (errno == 0 ? "" : std::string(": ") + std::strerror(errno));
 }
 
-[[noreturn]] void fail(const std::filesystem::path& path, const char* doing) {
+[[noreturn]] void fail_to(const std::filesystem::path& path, const char* doing) {
     throw OutputError(failure(path, doing));
 }
 
 void sync_to_disk(const std::filesystem::path& path) {
     const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
     if (file < 0) {
-        fail(path, "open");
+        fail_to(path, "open");
     }
     const int result = ::fsync(file);
     ::close(file);
     if (result != 0) {
-        fail(path, "write");
+        fail_to(path, "write");
     }
 }
 
@@ -50,7 +50,7 @@ AtomicFile::~AtomicFile() {
 void AtomicFile::commit() {
     sync_to_disk(part_);
     if (::rename(part_.c_str(), path_.c_str()) != 0) {
-        fail(path_, "rename its .part to it");
+        fail_to(path_, "rename its .part to it");
     }
     committed_ = true;
 }
@@ -59,7 +59,7 @@ AtomicStream::AtomicStream(const std::filesystem::path& path) : path_(path), fil
     errno = 0;
     stream_.open(file_.part(), std::ios::binary);
     if (!stream_) {
-        fail(path_, "create");
+        fail_to(path_, "create");
     }
 }
 
@@ -71,7 +71,7 @@ void AtomicStream::close() {
 
 void AtomicStream::expect_written() const {
     if (!stream_) {
-        fail(path_, "write");
+        fail_to(path_, "write");
     }
 }
 

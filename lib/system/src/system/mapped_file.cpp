@@ -31,7 +31,7 @@ private:
     int number_;
 };
 
-[[noreturn]] void fail(const std::filesystem::path& path) {
+[[noreturn]] void fail_to_map(const std::filesystem::path& path) {
     throw Error(path.string() + ": cannot read: " + std::strerror(errno));
 }
 
@@ -41,7 +41,7 @@ MappedFile::MappedFile(const std::filesystem::path& path) {
     const Descriptor file(path);
     struct stat status {};
     if (file.number() < 0 || ::fstat(file.number(), &status) != 0) {
-        fail(path);
+        fail_to_map(path);
     }
     const auto size = static_cast<std::size_t>(status.st_size);
     if (size == 0) {  // which the system refuses to map
@@ -49,7 +49,7 @@ MappedFile::MappedFile(const std::filesystem::path& path) {
     }
     const void* start = ::mmap(nullptr, size, PROT_READ, MAP_SHARED, file.number(), 0);
     if (start == MAP_FAILED) {
-        fail(path);
+        fail_to_map(path);
     }
     bytes_ = {static_cast<const std::byte*>(start), size};
 }

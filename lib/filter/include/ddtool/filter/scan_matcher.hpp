@@ -29,6 +29,9 @@ struct Residuals {
     std::vector<float> known;  ///< 1 where there is, or the end point lies in observed ground
 };
 
+/// Searches look at every third block of beams; their outcome is judged by all of them.
+inline constexpr std::size_t search_stride = 3;
+
 struct ScanMatcherSettings {
     /// Beams that end farther than this from any occupied point say nothing of the pose (Tukey's biweight).
     double reach_m = 0.16;

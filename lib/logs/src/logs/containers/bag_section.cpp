@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 #include <string_view>
 #include <utility>
 
@@ -15,12 +14,11 @@ namespace ddtool {
 namespace {
 
 constexpr std::string_view magic = "#ROSBAG V2.0\n";
-constexpr std::uint64_t everything = std::numeric_limits<std::uint64_t>::max();
 /// The reader's own limits.
 constexpr std::uint32_t max_header_bytes = 1U << 20U;
 constexpr std::uint32_t max_chunk_bytes = 1U << 30U;
 
-void check_magic(ByteSource& source) {
+void check_bag_magic(ByteSource& source) {
     std::vector<std::byte> start;
     source.append_to(start, magic.size());
     if (!std::ranges::equal(start, std::as_bytes(std::span(magic)))) {
@@ -44,7 +42,7 @@ Compression compression_of(const std::string& name) {
 
 BagSection::BagSection(ByteSource source, LogProblemHandler on_problem)
     : source_(std::move(source)), on_problem_(std::move(on_problem)) {
-    check_magic(source_);
+    check_bag_magic(source_);
 }
 
 std::optional<LogRecords> BagSection::next() {
@@ -177,7 +175,7 @@ void BagSection::check_end() {
 
 void BagSection::give_up_at_header(std::uint32_t length) {
     ended_ = true;
-    source_.skip(everything);
+    source_.skip(ByteSource::everything);
     report(offset_,
            "a record header of " + std::to_string(length) + " bytes where at most " + std::to_string(max_header_bytes) +
                " were expected: nothing after it can be read",

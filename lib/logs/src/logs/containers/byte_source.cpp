@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::uint64_t step_bytes = std::uint64_t{1} << 20;
 
-std::unique_ptr<std::istream> open_file(const std::filesystem::path& path) {
+std::unique_ptr<std::istream> open_stream(const std::filesystem::path& path) {
     errno = 0;
     auto stream = std::make_unique<std::ifstream>(path, std::ios::binary);
     if (!*stream) {
@@ -36,7 +36,7 @@ std::optional<std::uint64_t> size_of(const std::filesystem::path& path) {
 
 }  // namespace
 
-ByteSource::ByteSource(const std::filesystem::path& path) : ByteSource(open_file(path), path.string()) {
+ByteSource::ByteSource(const std::filesystem::path& path) : ByteSource(open_stream(path), path.string()) {
     size_ = size_of(path);
 }
 

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <istream>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
@@ -31,6 +32,7 @@ public:
     std::uint64_t append_to(std::vector<std::byte>& into, std::uint64_t size);
     /// Reads over `size` bytes; returns how many there were.
     std::uint64_t skip(std::uint64_t size);
+    static constexpr std::uint64_t everything = std::numeric_limits<std::uint64_t>::max();
     /// The content ends here: of a file that is followed, nothing more is waited for.
     void wait_no_more();
 

@@ -128,8 +128,8 @@ std::string size_failure(std::uint64_t size, std::uint64_t expected_size) {
 }
 
 template <typename Decoder>
-Decompressed decode(Decoder decoder, std::span<const std::byte> in, std::uint64_t expected_size,
-                    std::vector<std::byte>& buffer) {
+Decompressed decoded_by(Decoder decoder, std::span<const std::byte> in, std::uint64_t expected_size,
+                        std::vector<std::byte>& buffer) {
     // One byte more than expected, so that an input which gives too much is seen to do so.
     const auto limit = static_cast<std::size_t>(expected_size) + 1;
     std::size_t used = 0;
@@ -207,11 +207,11 @@ Decompressed decompress(Compression compression, std::span<const std::byte> comp
                         std::vector<std::byte>& buffer) {
     switch (compression) {
         case Compression::lz4:
-            return decode(Lz4Decoder(), compressed, expected_size, buffer);
+            return decoded_by(Lz4Decoder(), compressed, expected_size, buffer);
         case Compression::zstd:
-            return decode(ZstdDecoder(), compressed, expected_size, buffer);
+            return decoded_by(ZstdDecoder(), compressed, expected_size, buffer);
         case Compression::bzip2:
-            return decode(Bzip2Decoder(), compressed, expected_size, buffer);
+            return decoded_by(Bzip2Decoder(), compressed, expected_size, buffer);
         case Compression::none:
             break;
     }

@@ -35,7 +35,7 @@ std::string read_only_uri(const std::filesystem::path& path) {
     return "file:" + escaped(std::filesystem::absolute(path).string()) + (has_journal ? "?mode=ro" : "?immutable=1");
 }
 
-std::string text_of(sqlite3_stmt* row, int column) {
+std::string column_text(sqlite3_stmt* row, int column) {
     const auto* const text = reinterpret_cast<const char*>(sqlite3_column_text(row, column));
     return text == nullptr ? "" : text;
 }
@@ -80,9 +80,9 @@ void Db3Source::read_topics() {
     const Statement topics = prepare("SELECT id, name, type, serialization_format FROM topics");
     while (step(topics)) {
         McapChannel& channel = channels_[sqlite3_column_int64(topics.get(), 0)];
-        channel.topic = text_of(topics.get(), 1);
-        channel.schema.name = text_of(topics.get(), 2);
-        channel.message_encoding = text_of(topics.get(), 3);
+        channel.topic = column_text(topics.get(), 1);
+        channel.schema.name = column_text(topics.get(), 2);
+        channel.message_encoding = column_text(topics.get(), 3);
     }
 }
 

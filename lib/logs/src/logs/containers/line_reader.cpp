@@ -6,11 +6,12 @@
 namespace ddtool {
 namespace {
 
-constexpr std::size_t buffer_bytes = 1 << 16;
+constexpr std::size_t line_buffer_bytes = 1 << 16;
 
 }  // namespace
 
-LineReader::LineReader(std::unique_ptr<TextSource> source) : source_(std::move(source)), buffer_(buffer_bytes, '\0') {}
+LineReader::LineReader(std::unique_ptr<TextSource> source)
+    : source_(std::move(source)), buffer_(line_buffer_bytes, '\0') {}
 
 bool LineReader::refill() {
     unread_ = std::string_view(buffer_).substr(0, source_->read(buffer_));

@@ -19,7 +19,7 @@ namespace ddtool {
 namespace {
 
 constexpr int wait_ms = 50;
-constexpr std::size_t buffer_bytes = 1 << 16;
+constexpr std::size_t live_buffer_bytes = 1 << 16;
 
 /// Waits a little, so that a read does not block for long.
 bool readable(int descriptor) {
@@ -45,7 +45,7 @@ std::unique_ptr<LiveBuffer> LiveBuffer::followed(const std::filesystem::path& pa
 }
 
 LiveBuffer::LiveBuffer(int descriptor, bool owned, bool grows, Stop stop)
-    : descriptor_(descriptor), owned_(owned), grows_(grows), stop_(std::move(stop)), bytes_(buffer_bytes) {}
+    : descriptor_(descriptor), owned_(owned), grows_(grows), stop_(std::move(stop)), bytes_(live_buffer_bytes) {}
 
 LiveBuffer::~LiveBuffer() {
     if (owned_) {

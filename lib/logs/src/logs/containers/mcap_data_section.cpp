@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 #include <utility>
 
 #include "ddtool/base/error.hpp"
@@ -14,7 +13,6 @@ namespace {
 
 constexpr std::size_t data_end_bytes = 4;
 constexpr std::size_t footer_bytes = 20;
-constexpr std::uint64_t everything = std::numeric_limits<std::uint64_t>::max();
 
 /// 0, which stands for "not available", where the file ends before it.
 std::uint32_t read_crc(ByteSource& source) {
@@ -23,7 +21,7 @@ std::uint32_t read_crc(ByteSource& source) {
     return whole ? McapFieldReader(bytes).take<std::uint32_t>() : 0;
 }
 
-void check_magic(ByteSource& source) {
+void check_mcap_magic(ByteSource& source) {
     std::vector<std::byte> start;
     source.append_to(start, mcap_magic.size());
     if (!std::ranges::equal(start, mcap_magic)) {
@@ -35,7 +33,7 @@ void check_magic(ByteSource& source) {
 
 McapDataSection::McapDataSection(ByteSource source, LogProblemHandler on_problem)
     : source_(std::move(source)), on_problem_(std::move(on_problem)) {
-    check_magic(source_);
+    check_mcap_magic(source_);
 }
 
 std::optional<LogRecords> McapDataSection::next() {
@@ -68,7 +66,7 @@ std::optional<McapDataSection::Record> McapDataSection::read_record_header() {
         report("the file ends without its footer: it was cut off, or is still being written", count);
     } else {
         report("a record of type 0, which there is not: nothing after it can be read",
-               count + source_.skip(everything));
+               count + source_.skip(ByteSource::everything));
     }
     return std::nullopt;
 }
@@ -170,7 +168,7 @@ void McapDataSection::check_end() {
     std::array<std::byte, mcap_magic.size()> end{};
     const std::size_t count = source_.read(end);
     source_.wait_no_more();
-    const std::uint64_t more = source_.skip(everything);
+    const std::uint64_t more = source_.skip(ByteSource::everything);
     if (count < end.size()) {
         report("the file is cut off at its very end");
     } else if (end != mcap_magic) {

@@ -9,10 +9,6 @@
 namespace ddtool {
 namespace {
 
-std::string text_of(std::span<const std::byte> bytes) {
-    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
-}
-
 template <typename Definition>
 void add(std::map<std::uint16_t, Definition>& known, Definition definition, const char* kind) {
     const auto earlier = known.find(definition.id);

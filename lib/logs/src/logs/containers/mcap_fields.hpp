@@ -17,6 +17,11 @@ namespace ddtool {
 
 static_assert(std::endian::native == std::endian::little, "MCAP's integers are copied as they lie in memory");
 
+/// Bytes as text that holds the same.
+inline std::string text_of(std::span<const std::byte> bytes) {
+    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
 /// Takes the fields of a record from the front of its bytes (https://mcap.dev/spec, "Serialization").
 /// Every take throws Error when the bytes end before the field does.
 class McapFieldReader {

@@ -19,10 +19,6 @@ std::uint16_t next_id(std::size_t taken, const char* kind) {
     return static_cast<std::uint16_t>(taken + 1);
 }
 
-std::string text_of(std::span<const std::byte> bytes) {
-    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
-}
-
 }  // namespace
 
 McapWriter::McapWriter(const std::filesystem::path& path, McapWriterOptions options)

@@ -28,7 +28,7 @@ ros::Vector3 vector(const json& v) { return {v.at("x"), v.at("y"), v.at("z")}; }
 
 ros::Quaternion quaternion(const json& q) { return {q.at("x"), q.at("y"), q.at("z"), q.at("w")}; }
 
-Eigen::Isometry3d isometry(const json& pose) {
+Eigen::Isometry3d json_isometry(const json& pose) {
     return ros::to_isometry({vector(pose.at("position")), quaternion(pose.at("orientation"))});
 }
 
@@ -39,7 +39,7 @@ PoseReading transform(const json& message) {
 
 std::vector<PoseReading> poses(std::string_view type, const json& message) {
     if (type == "foxglove.PoseInFrame") {
-        return {{stamp(message), message.at("frame_id"), "", isometry(message.at("pose"))}};
+        return {{stamp(message), message.at("frame_id"), "", json_isometry(message.at("pose"))}};
     }
     if (type == "foxglove.FrameTransform") {
         return {transform(message)};
@@ -55,7 +55,7 @@ ScanReading scan(const json& message) {
     ScanReading reading;
     reading.frame_id = message.at("frame_id");
     if (message.contains("pose")) {
-        reading.frame_from_scan = isometry(message.at("pose"));
+        reading.frame_from_scan = json_isometry(message.at("pose"));
     }
     reading.scan.stamp_ns = stamp(message);
     for (const json& range : message.at("ranges")) {
@@ -67,7 +67,7 @@ ScanReading scan(const json& message) {
 
 /// What `read` makes of the document; none where that is no JSON, or lacks a member or has it of another type.
 template <typename Read>
-auto parse(std::span<const std::byte> data, Read read) -> std::optional<decltype(read(json()))> {
+auto read_json(std::span<const std::byte> data, Read read) -> std::optional<decltype(read(json()))> {
     const auto* text = reinterpret_cast<const char*>(data.data());
     try {
         return read(json::parse(text, text + data.size()));
@@ -79,11 +79,11 @@ auto parse(std::span<const std::byte> data, Read read) -> std::optional<decltype
 }  // namespace
 
 std::optional<ScanReading> json_scan(std::span<const std::byte> data) {
-    return parse(data, [](const json& message) { return scan(message); });
+    return read_json(data, [](const json& message) { return scan(message); });
 }
 
 std::optional<std::vector<PoseReading>> json_poses(std::string_view type, std::span<const std::byte> data) {
-    return parse(data, [&](const json& message) { return poses(type, message); });
+    return read_json(data, [&](const json& message) { return poses(type, message); });
 }
 
 }  // namespace ddtool::foxglove

@@ -10,7 +10,7 @@ namespace ddtool::foxglove {
 namespace {
 
 template <typename Message>
-std::optional<Message> parse(std::span<const std::byte> data) {
+std::optional<Message> parse_protobuf(std::span<const std::byte> data) {
     Message message;
     const bool fits = data.size() <= static_cast<std::size_t>(std::numeric_limits<int>::max());
     if (!fits || !message.ParseFromArray(data.data(), static_cast<int>(data.size()))) {
@@ -28,9 +28,9 @@ PoseReading reading(const wire::FrameTransform& message) {
             message.child_frame_id(), isometry(message.translation(), message.rotation())};
 }
 
-std::vector<PoseReading> readings(const wire::FrameTransform& message) { return {reading(message)}; }
+std::vector<PoseReading> foxglove_readings(const wire::FrameTransform& message) { return {reading(message)}; }
 
-std::vector<PoseReading> readings(const wire::FrameTransforms& message) {
+std::vector<PoseReading> foxglove_readings(const wire::FrameTransforms& message) {
     std::vector<PoseReading> poses;
     for (const wire::FrameTransform& transform : message.transforms()) {
         poses.push_back(reading(transform));
@@ -38,22 +38,22 @@ std::vector<PoseReading> readings(const wire::FrameTransforms& message) {
     return poses;
 }
 
-std::vector<PoseReading> readings(const wire::PoseInFrame& message) {
+std::vector<PoseReading> foxglove_readings(const wire::PoseInFrame& message) {
     const wire::Pose& pose = message.pose();
     return {{stamp_ns(message.timestamp().seconds(), message.timestamp().nanos()), message.frame_id(), "",
              isometry(pose.position(), pose.orientation())}};
 }
 
 template <typename Message>
-std::optional<std::vector<PoseReading>> decode(std::span<const std::byte> data) {
-    const std::optional<Message> message = parse<Message>(data);
-    return message ? std::optional(readings(*message)) : std::nullopt;
+std::optional<std::vector<PoseReading>> decode_foxglove(std::span<const std::byte> data) {
+    const std::optional<Message> message = parse_protobuf<Message>(data);
+    return message ? std::optional(foxglove_readings(*message)) : std::nullopt;
 }
 
 }  // namespace
 
 std::optional<ScanReading> protobuf_scan(std::span<const std::byte> data) {
-    const std::optional<wire::LaserScan> message = parse<wire::LaserScan>(data);
+    const std::optional<wire::LaserScan> message = parse_protobuf<wire::LaserScan>(data);
     if (!message) {
         return std::nullopt;
     }
@@ -68,10 +68,10 @@ std::optional<ScanReading> protobuf_scan(std::span<const std::byte> data) {
 
 std::optional<std::vector<PoseReading>> protobuf_poses(std::string_view type, std::span<const std::byte> data) {
     if (type == "foxglove.PoseInFrame") {
-        return decode<wire::PoseInFrame>(data);
+        return decode_foxglove<wire::PoseInFrame>(data);
     }
-    return type == "foxglove.FrameTransforms" ? decode<wire::FrameTransforms>(data)
-                                              : decode<wire::FrameTransform>(data);
+    return type == "foxglove.FrameTransforms" ? decode_foxglove<wire::FrameTransforms>(data)
+                                              : decode_foxglove<wire::FrameTransform>(data);
 }
 
 }  // namespace ddtool::foxglove

@@ -9,20 +9,20 @@ namespace {
 using Poses = std::vector<PoseReading>;
 
 template <typename Message>
-std::optional<Message> decode(std::string_view encoding, std::span<const std::byte> data) {
+std::optional<Message> decode_ros(std::string_view encoding, std::span<const std::byte> data) {
     return encoding == "ros1" ? decode_ros1<Message>(data) : decode_cdr<Message>(data);
 }
 
-Poses readings(const Odometry& message) {
+Poses ros_readings(const Odometry& message) {
     const auto& [stamp, frame_id] = message.header;
     return {{stamp.ns, frame_id, message.child_frame_id, to_isometry(message.pose)}};
 }
 
-Poses readings(const PoseStamped& message) {
+Poses ros_readings(const PoseStamped& message) {
     return {{message.header.stamp.ns, message.header.frame_id, "", to_isometry(message.pose)}};
 }
 
-Poses readings(const TFMessage& message) {
+Poses ros_readings(const TFMessage& message) {
     Poses poses;
     for (const TransformStamped& transform : message.transforms) {
         const auto& [stamp, frame_id] = transform.header;
@@ -33,14 +33,14 @@ Poses readings(const TFMessage& message) {
 
 template <typename Message>
 std::optional<Poses> decode_readings(std::string_view encoding, std::span<const std::byte> data) {
-    const std::optional<Message> message = decode<Message>(encoding, data);
-    return message ? std::optional(readings(*message)) : std::nullopt;
+    const std::optional<Message> message = decode_ros<Message>(encoding, data);
+    return message ? std::optional(ros_readings(*message)) : std::nullopt;
 }
 
 }  // namespace
 
 std::optional<ScanReading> decode_scan(std::string_view encoding, std::span<const std::byte> data) {
-    std::optional<LaserScan> message = decode<LaserScan>(encoding, data);
+    std::optional<LaserScan> message = decode_ros<LaserScan>(encoding, data);
     if (!message) {
         return std::nullopt;
     }

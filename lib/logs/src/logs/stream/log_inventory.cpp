@@ -19,7 +19,7 @@ namespace {
 /// Of a topic: a damaged log may name a new one in every message.
 constexpr std::size_t max_frames = 64;
 
-using Topics = std::map<std::string, TopicInventory>;
+using CountedTopics = std::map<std::string, TopicInventory>;
 
 void count(TopicInventory& topic, std::int64_t time_ns) {
     topic.first_ns = topic.messages == 0 ? time_ns : std::min(topic.first_ns, time_ns);
@@ -51,8 +51,8 @@ void note_frames(TopicInventory& topic, const McapMessage& message) {
     topic.frames.erase("");
 }
 
-Topics count_messages(MessageSource& source, const std::function<void(double)>& on_progress) {
-    Topics topics;
+CountedTopics count_messages(MessageSource& source, const std::function<void(double)>& on_progress) {
+    CountedTopics topics;
     while (const std::optional<McapMessage> message = source.next()) {
         TopicInventory& topic = topics[message->channel->topic];
         topic.type = message->channel->schema.name;
@@ -73,8 +73,8 @@ std::optional<std::int64_t> ipc_time_ns(std::string_view words) {
     return parse_stamp(last[0]);
 }
 
-Topics count_lines(LineReader& lines, const std::function<void(double)>& on_progress) {
-    Topics topics;
+CountedTopics count_lines(LineReader& lines, const std::function<void(double)>& on_progress) {
+    CountedTopics topics;
     while (std::optional<std::string_view> line = lines.next()) {
         const std::string name(next_word(*line));
         const std::optional<std::int64_t> time_ns = ipc_time_ns(*line);
@@ -124,7 +124,7 @@ double LogInventory::duration_s() const {
 LogInventory take_inventory(const std::filesystem::path& path, LogProblemHandler on_problem,
                             const std::function<void(double)>& on_progress) {
     const LogContainer container = container_of(path);
-    Topics topics;
+    CountedTopics topics;
     if (container == LogContainer::carmen) {
         LineReader lines(open_text(path, std::move(on_problem)));
         topics = count_lines(lines, on_progress);

@@ -84,7 +84,7 @@ RepeatedLabel label_in_others(const SampleRecord& sample, LabelRule rule,
     return label;
 }
 
-void add_row(Table& table, LabelRule rule, const std::string& scene, const std::vector<RepeatedLabel>& labels) {
+void add_noise_row(Table& table, LabelRule rule, const std::string& scene, const std::vector<RepeatedLabel>& labels) {
     const LabelNoise noise = label_noise(labels);
     table.add_row({std::string(dataset::label_rule_names[index_of(rule)]), scene,
                    static_cast<std::int64_t>(noise.samples[1]), static_cast<std::int64_t>(noise.samples[0]),
@@ -147,10 +147,10 @@ Table label_noise_table(const Dataset& data) {
             by_scene[label.scene].push_back(label);
         }
         for (const auto& [scene, labels] : by_scene) {
-            add_row(table, rule, scene, labels);
+            add_noise_row(table, rule, scene, labels);
         }
         if (!all.empty()) {
-            add_row(table, rule, "all", all);
+            add_noise_row(table, rule, "all", all);
         }
     }
     return table;

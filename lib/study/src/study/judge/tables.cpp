@@ -22,7 +22,7 @@ Table table_of(const Columns& columns) {
     return Table(all);
 }
 
-void add_row(Table& table, const Detector& detector, const Cells& cells) {
+void add_detector_row(Table& table, const Detector& detector, const Cells& cells) {
     const Table::Cell seed = detector.seed ? Table::Cell(static_cast<std::int64_t>(*detector.seed)) : missing;
     Cells all{detector.name, detector.swarm, detector.label + " / " + detector.split, seed};
     all.insert(all.end(), cells.begin(), cells.end());
@@ -36,8 +36,8 @@ Table reliability_table(std::span<const Evaluation> evaluations) {
     for (const Evaluation& evaluation : evaluations) {
         for (const ReliabilityBin& bin :
              evaluation.calibration ? evaluation.calibration->bins : std::vector<ReliabilityBin>{}) {
-            add_row(table, evaluation.detector,
-                    {bin.low, bin.high, count(bin.count), bin.mean_probability, bin.positive_share});
+            add_detector_row(table, evaluation.detector,
+                             {bin.low, bin.high, count(bin.count), bin.mean_probability, bin.positive_share});
         }
     }
     return table;
@@ -47,9 +47,9 @@ Table confusion_table(std::span<const Evaluation> evaluations) {
     Table table = table_of({{"true positives"}, {"false positives"}, {"false negatives"}, {"true negatives"}});
     for (const Evaluation& evaluation : evaluations) {
         const Confusion& confusion = evaluation.performance.confusion;
-        add_row(table, evaluation.detector,
-                {count(confusion.true_positives), count(confusion.false_positives), count(confusion.false_negatives),
-                 count(confusion.true_negatives)});
+        add_detector_row(table, evaluation.detector,
+                         {count(confusion.true_positives), count(confusion.false_positives),
+                          count(confusion.false_negatives), count(confusion.true_negatives)});
     }
     return table;
 }
@@ -61,7 +61,7 @@ Table detector_table(std::span<const Evaluation> evaluations, const Task& task) 
         {{"tested on"}, {"degenerate"}, {"samples"}, {"accuracy"}, {"precision"}, {"recall"}, {"F1"}, {"AUC"}});
     for (const Evaluation& evaluation : evaluations) {
         const Confusion& confusion = evaluation.performance.confusion;
-        add_row(
+        add_detector_row(
             table, evaluation.detector,
             {name_of(task), evaluation.detector.decision, count(evaluation.performance.samples), confusion.accuracy(),
              confusion.precision(), confusion.recall(), confusion.f1(), evaluation.performance.auc});
@@ -116,9 +116,9 @@ Table calibration_table(std::span<const Evaluation> evaluations, const Task& tas
     Table table = table_of({{"tested on"}, {"ECE", 4}, {"temperature"}, {"ECE at temperature", 4}});
     for (const Evaluation& evaluation : evaluations) {
         if (evaluation.calibration) {
-            add_row(table, evaluation.detector,
-                    {name_of(task), evaluation.calibration->error, evaluation.calibration->temperature,
-                     evaluation.calibration->error_at_temperature});
+            add_detector_row(table, evaluation.detector,
+                             {name_of(task), evaluation.calibration->error, evaluation.calibration->temperature,
+                              evaluation.calibration->error_at_temperature});
         }
     }
     return table;
@@ -128,7 +128,7 @@ Table physics_table(std::span<const Evaluation> evaluations) {
     Table table = table_of({{"source"}, {"samples"}, {"AUC fisher"}, {"rank correlation: weak_sd_m"}, {"information"}});
     for (const Evaluation& evaluation : evaluations) {
         for (const PhysicalAgreement& physics : evaluation.physics) {
-            add_row(
+            add_detector_row(
                 table, evaluation.detector,
                 {physics.source, count(physics.samples), physics.auc, physics.weak_sd_rho, physics.information_rho});
         }
@@ -142,9 +142,9 @@ Table group_table(const dataset::Dataset& data, std::span<const Evaluation> eval
         for (const dataset::Grouping& grouping : dataset::groupings()) {
             for (const auto& [key, places] : grouped(data, evaluation.samples, grouping)) {
                 const Performance part = performance_at(evaluation, places);
-                add_row(table, evaluation.detector,
-                        {std::string(grouping.name), key.text, count(part.samples), part.degenerate_share,
-                         part.confusion.accuracy(), part.confusion.f1(), part.auc});
+                add_detector_row(table, evaluation.detector,
+                                 {std::string(grouping.name), key.text, count(part.samples), part.degenerate_share,
+                                  part.confusion.accuracy(), part.confusion.f1(), part.auc});
             }
         }
     }

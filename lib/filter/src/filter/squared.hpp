@@ -1,0 +1,7 @@
+#pragma once
+
+namespace ddtool {
+
+constexpr double squared(double value) { return value * value; }
+
+}  // namespace ddtool
