@@ -5,6 +5,7 @@
 
 #include "commands.hpp"
 #include "ddtool/methods/driven_scans.hpp"
+#include "ddtool/robot/scan_truth.hpp"
 #include "detectors.hpp"
 #include "log_options.hpp"
 #include "logs/stream/live_log.hpp"
@@ -50,12 +51,11 @@ struct Served {
 /// The filter's particles end here, so that their memory can be given back before the pictures are drawn.
 FilterRun run_over(DrivenScans& scans, std::unique_ptr<Rbpf> filter, const InterruptRequest& interrupt,
                    RunFolder& folder, Served* served) {
-    folder.watch(*filter);
     Progress progress("slam", "scans");
-    return run_filter(scans, *filter, [&](const SensorFrame& frame, bool moved) {
-        folder.add(frame, *filter, moved);
+    return run_filter(scans, *filter, [&](const SensorFrame& frame, const std::optional<Update>& update) {
+        folder.add(frame, update, *filter);
         if (served != nullptr) {
-            served->run.add(frame, *filter, moved);
+            served->run.add(frame, update, *filter);
         }
         progress.update(scans.fraction_read(), scans.summary().scans);
         return !interrupt.made();
@@ -76,12 +76,12 @@ std::vector<std::string> shortfalls(const std::string& file, const LogSummary& l
     return lines;
 }
 
-Json cost_report(std::size_t threads, Clock::time_point start) {
+CostReport cost_report(std::size_t threads, Clock::time_point start) {
     const ProcessUsage usage = process_usage();
-    return {{"threads", threads},
-            {"wall_s", std::chrono::duration<double>(Clock::now() - start).count()},
-            {"cpu_s", usage.cpu_s},
-            {"peak_memory_bytes", usage.peak_memory_bytes}};
+    return {.threads = threads,
+            .wall_s = std::chrono::duration<double>(Clock::now() - start).count(),
+            .cpu_s = usage.cpu_s,
+            .peak_memory_bytes = usage.peak_memory_bytes};
 }
 
 std::unique_ptr<LogStream> open(const SlamRequest& request, const LogOptions& options,
@@ -101,12 +101,16 @@ ExitCode slam(const SlamRequest& request, const Json& settings) {
     const auto start = Clock::now();
     const FilterSettings filter_settings = filter_settings_from_json(settings.at("filter"));
     ThreadPool threads(request.threads);
+    const auto truth = std::make_shared<ScanTruth>();
+    DetectorTable detectors = all_detectors();
+    detectors.know(truth);
     // Before the log is opened: a detector that needs LibTorch starts the command anew.
-    std::unique_ptr<Rbpf> filter = make_filter(filter_settings, all_detectors(), threads);
+    std::unique_ptr<Rbpf> filter = make_filter(filter_settings, detectors, threads);
     const auto served = request.serve ? std::make_unique<Served>(request.address, request.port) : nullptr;
     LogReport problems;
     const InterruptRequest interrupt;
     DrivenScans scans(open(request, log_options(settings.at("log")), interrupt, problems), filter_settings.rbpf);
+    scans.tell_truth(truth);
     RunFolder folder(request.folder, request.with_snapshots);
     const FilterRun result = run_over(scans, std::move(filter), interrupt, folder, served.get());
     return_freed_memory();  // the particles' maps, before pictures are drawn
@@ -119,25 +123,36 @@ ExitCode slam(const SlamRequest& request, const Json& settings) {
     }
     folder.finish(result, map);
     folder.write_json("config.json", settings);
-    Json run = run_report(result, map);
-    run["stages"]["write_s"] = folder.write_s();
-    run["step_ms"] = step_time_report(folder.course());
+    const RunReport run = run_report(result, map, folder.course(), folder.write_s());
+    const CostReport cost = cost_report(request.threads, start);
+    const Json log = log_report(request.log, scans.summary());
+    const Json versions = version_report();
     const Json report{{"command", "slam"},
-                      {"versions", version_report()},
+                      {"versions", versions},
                       {"settings", settings},
-                      {"log", log_report(request.log, scans.summary())},
+                      {"parts", parts_json(filter_settings.method)},
+                      {"log", log},
                       {"interrupted", interrupt.made()},
-                      {"run", run},
-                      {"cost", cost_report(request.threads, start)}};
+                      {"run", to_run_json(run)},
+                      {"cost", cost}};
     folder.write_json("run.json", report);
     const std::vector<std::string> losses = shortfalls(request.log, scans.summary(), interrupt, result);
     std::vector<std::string> warnings = log_warnings(scans.summary());
     warnings.insert(warnings.end(), losses.begin(), losses.end());
     const bool has_page = folder.write_page([&] {
-        return run_page(report, warnings, result, map, folder.course(),
-                        image_seen_by(parts_of(filter_settings.method).detector));
+        return run_page({.log_file = request.log,
+                         .warnings = warnings,
+                         .run = result,
+                         .map = map,
+                         .course = folder.course(),
+                         .report = run,
+                         .cost = cost,
+                         .image = image_seen_by(parts_of(filter_settings.method).detector),
+                         .settings = settings,
+                         .log = log,
+                         .versions = versions});
     });
-    std::cout << (request.as_json ? report.dump(2) + "\n" : slam_summary(report, request.folder, folder.files()));
+    std::cout << (request.as_json ? report.dump(2) + "\n" : slam_summary(run, cost, request.folder, folder.files()));
     const ExitCode log_loss = problems.finish(scans.summary());
     std::for_each(losses.begin(), losses.end(), log_warning);
     if (served && !interrupt.made()) {

@@ -50,32 +50,48 @@ TEST(DetectorTable, LoadsFilesByTheirEnding) {
                 testing::HasSubstr("a file *.pt"));
 }
 
-TEST(ConsultedInDoubt, AsksOnlyWhereTheMatchLeavesMuch) {
-    int calls = 0;
-    DetectionSettings settings;
-    settings.doubt_share = 0.3;
-    const DegeneracyDetector detector = consulted_in_doubt(
-        [&](const ParticleSnapshot&) {
-            ++calls;
-            return Degeneracy{0.8};
-        },
-        settings);
-    EXPECT_EQ(detector(step_of(0.01)).degree, 0.0);
-    EXPECT_EQ(calls, 0);
-    EXPECT_EQ(detector(step_of(0.05)).degree, 0.8);
-    EXPECT_EQ(calls, 1);
+/// Answers 1, 2, 3 and so on, one more each time it is asked.
+DegeneracyDetector counting() {
+    return [calls = 0](const ParticleSnapshot&) mutable { return Degeneracy{static_cast<double>(++calls)}; };
 }
 
-TEST(ConsultedInDoubt, KeepsItsWordForAWhile) {
-    int calls = 0;
+TEST(Gate, InDoubtAsksOnlyWhereTheMatchLeavesMuch) {
+    DetectionSettings settings;
+    settings.doubt_share = 0.3;
+    const DegeneracyDetector detector = gated("in-doubt", counting(), settings);
+    EXPECT_EQ(detector(step_of(0.01)).degree, 0.0);
+    EXPECT_EQ(detector(step_of(0.05)).degree, 1.0) << "the first time that it is asked";
+}
+
+TEST(Gate, InDoubtKeepsAnAnswerForAWhile) {
     DetectionSettings settings;
     settings.every_m = 1.0;
-    const DegeneracyDetector detector =
-        consulted_in_doubt([&](const ParticleSnapshot&) { return Degeneracy{static_cast<double>(++calls)}; }, settings);
+    const DegeneracyDetector detector = gated("in-doubt", counting(), settings);
     EXPECT_EQ(detector(step_of(0.1, 0.4)).degree, 1.0);
     EXPECT_EQ(detector(step_of(0.1, 0.4)).degree, 1.0);
     EXPECT_EQ(detector(step_of(0.1, 0.4)).degree, 1.0);
     EXPECT_EQ(detector(step_of(0.1, 0.4)).degree, 2.0);
+}
+
+TEST(Gate, CopiesShareNothing) {
+    const DegeneracyDetector one = gated("in-doubt", counting(), {});
+    const DegeneracyDetector other = one;
+    EXPECT_EQ(one(step_of(0.1)).degree, 1.0);
+    EXPECT_EQ(other(step_of(0.1)).degree, 1.0);
+}
+
+TEST(Gate, NoneAsksAtEveryUpdate) {
+    const DegeneracyDetector detector = gated("none", counting(), {});
+    EXPECT_EQ(detector(step_of(0.01)).degree, 1.0) << "where nothing is in doubt";
+    EXPECT_EQ(detector(step_of(0.1)).degree, 2.0);
+    EXPECT_EQ(detector(step_of(0.1)).degree, 3.0) << "and again at once";
+}
+
+TEST(Gate, OfNoDetectorIsNoDetector) { EXPECT_FALSE(gated("in-doubt", {}, {})); }
+
+TEST(Gate, IsOneOfTheKnown) {
+    EXPECT_THAT(test::thrown_text<UsageError>([] { (void)gated("open", counting(), {}); }),
+                testing::HasSubstr("filter.gate: expected in-doubt, none, not 'open'"));
 }
 
 }  // namespace

@@ -22,7 +22,7 @@ Trajectory run(const FilterSettings& settings, std::size_t threads = 1) {
     ThreadPool pool(threads);
     const auto filter = make_filter(settings, DetectorTable(), pool);
     for (const SensorFrame& frame : room_drive()) {
-        filter->process(frame);
+        filter->update(frame);
     }
     return filter->trajectory();
 }
@@ -86,6 +86,27 @@ TEST(Methods, EachPartOfThePapersChangesTheOutcomeAlone) {
     }
 }
 
+TEST(Methods, AskTheirDetectorInDoubtUnlessItIsThereToBeComparedWith) {
+    const auto gate_of = [](const std::string& method, const std::string& detector, const std::string& gate = "") {
+        MethodSettings settings{.method = method};
+        settings.parts.detector = detector;
+        settings.parts.gate = gate;
+        return parts_of(settings).gate;
+    };
+    for (const char* method : {"anti-degeneracy", "paper", "gmapping"}) {
+        for (const char* detector : {"always", "oracle", "none"}) {
+            EXPECT_EQ(gate_of(method, detector), "none") << method << " with " << detector;
+            EXPECT_EQ(gate_of(method, detector, "in-doubt"), "in-doubt") << method << " with " << detector;
+        }
+        for (const char* detector : {"covariance", "step-spread", "some/model.pt"}) {
+            EXPECT_EQ(gate_of(method, detector), "in-doubt") << method << " with " << detector;
+            EXPECT_EQ(gate_of(method, detector, "none"), "none") << method << " with " << detector;
+        }
+    }
+    EXPECT_EQ(gate_of("anti-degeneracy", ""), "in-doubt");
+    EXPECT_EQ(gate_of("gmapping", ""), "none");
+}
+
 TEST(Methods, UnknownNamesAreRefusedWithTheKnownOnes) {
     const auto refusal = [](auto set) {
         FilterSettings settings = settings_of("gmapping");
@@ -101,6 +122,8 @@ TEST(Methods, UnknownNamesAreRefusedWithTheKnownOnes) {
                 testing::HasSubstr("filter.resampling: expected systematic, enhanced"));
     EXPECT_THAT(refusal([](MethodSettings& m) { m.parts.odometry = "x"; }),
                 testing::HasSubstr("filter.odometry: expected as-logged, learnt"));
+    EXPECT_THAT(refusal([](MethodSettings& m) { m.parts.gate = "x"; }),
+                testing::HasSubstr("filter.gate: expected in-doubt, none"));
     EXPECT_THAT(refusal([](MethodSettings& m) { m.parts.detector = "x"; }),
                 testing::HasSubstr("filter.detector: expected"));
 }

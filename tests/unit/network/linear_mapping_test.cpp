@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "swarm/spread.hpp"
+#include "swarm/rules.hpp"
 #include "swarms.hpp"
 
 namespace ddtool {

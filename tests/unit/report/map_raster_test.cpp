@@ -34,6 +34,14 @@ TEST(MapRaster, MovesWithWhatWasObserved) {
     EXPECT_NEAR(moved.origin_m.y_m - map.origin_m.y_m, 65 * 0.05, 1e-12);
 }
 
+TEST(MapPixels, AreGreysWithTheHighestRowFirst) {
+    constexpr std::int8_t f = MapRaster::free;
+    constexpr std::int8_t o = MapRaster::occupied;
+    constexpr std::int8_t u = MapRaster::unknown;
+    const MapRaster map{.width = 3, .height = 2, .origin_m = {}, .cells = {f, o, u, o, o, f}};
+    EXPECT_EQ(map_pixels(map), (std::vector<std::uint8_t>{0, 0, 254, 254, 0, 205}));
+}
+
 TEST(MapRaster, IsOneUnknownCellWhereNothingWasObserved) {
     const MapRaster map = map_raster(OccupancyGrid(OccupancySettings{}));
     EXPECT_EQ(map.cells, std::vector<std::int8_t>{MapRaster::unknown});

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "ddtool/robot/scan_truth.hpp"
 #include "swarms.hpp"
 #include "thrown_text.hpp"
 
@@ -55,8 +56,9 @@ TEST(OracleDetector, WeighsTheScanAgainstTheOdometry) {
     ParticleSnapshot swarm = snapshot_of({{}});
     const double odometry_variance = 0.1 * 0.1 * 0.1;  // along x, over 0.1 m
     const auto degree = [&](double x_information) {
-        swarm.fisher_information = Eigen::Vector3d(x_information, 1e9, 1e9).asDiagonal();
-        return oracle_detector(noise)(swarm).degree;
+        const auto truth = std::make_shared<ScanTruth>();
+        truth->add(swarm.stamp_ns, Eigen::Vector3d(x_information, 1e9, 1e9).asDiagonal());
+        return oracle_detector(noise, truth)(swarm).degree;
     };
     EXPECT_NEAR(degree(1.0 / odometry_variance), 0.5, 1e-9);
     EXPECT_NEAR(degree(9.0 / odometry_variance), 0.1, 1e-9);
@@ -64,8 +66,12 @@ TEST(OracleDetector, WeighsTheScanAgainstTheOdometry) {
 }
 
 TEST(OracleDetector, NeedsTheTruth) {
-    EXPECT_THAT(test::thrown_text([] { oracle_detector({})(snapshot_of({{}})); }),
-                testing::HasSubstr("true Fisher information"));
+    const auto truth_of_another = std::make_shared<ScanTruth>();
+    truth_of_another->add(1, Eigen::Matrix3d::Identity());
+    for (const auto& truth : {std::shared_ptr<ScanTruth>(), truth_of_another}) {
+        EXPECT_THAT(test::thrown_text([&] { oracle_detector({}, truth)(snapshot_of({{}})); }),
+                    testing::HasSubstr("true Fisher information"));
+    }
 }
 
 }  // namespace

@@ -37,16 +37,28 @@ TEST(SwarmShape, TurnsWithTheSwarm) {
 }
 
 TEST(SwarmShape, CountsAParticleOfTwiceTheWeightAsTwo) {
-    auto doubled = test::swarm_at({{0, 0}, {1, 0}, {1, 0}, {0, 2}});
-    doubled = with_equal_weights(doubled);
-    auto weighted = test::swarm_at({{0, 0}, {1, 0}, {0, 2}});
-    weighted[0].weight = weighted[2].weight = 0.25;
-    weighted[1].weight = 0.5;
-    const SwarmShape a = swarm_shape(doubled, &SnapshotParticle::pose);
-    const SwarmShape b = swarm_shape(weighted, &SnapshotParticle::pose);
-    // The direction and the ratio are the same; the correction for few particles knows that two share a place.
-    EXPECT_NEAR(a.major_direction_rad, b.major_direction_rad, 1e-12);
-    EXPECT_NEAR(a.major_variance_m2 / a.minor_variance_m2, b.major_variance_m2 / b.minor_variance_m2, 1e-9);
+    std::vector<SnapshotParticle> swarm = test::normal_swarm(20, 3, {0.3, 0.1});
+    std::vector<SnapshotParticle> doubled = swarm;
+    for (std::size_t i = 0; i < swarm.size(); ++i) {
+        swarm[i].weight = i == 0 ? 2.0 / 21.0 : 1.0 / 21.0;
+    }
+    doubled.push_back(doubled.front());
+    // The same sums over other degrees of freedom: 1 - sum w^2 against (n - 1) / n.
+    const double freedom = 1.0 - (4.0 + 19.0) / (21.0 * 21.0);
+    const SwarmShape weighted = swarm_shape(swarm, &SnapshotParticle::pose);
+    const SwarmShape plain = unweighted_swarm_shape(doubled, &SnapshotParticle::pose);
+    EXPECT_NEAR(weighted.major_sd_m(), plain.major_sd_m() * std::sqrt(20.0 / 21.0 / freedom), 1e-12);
+    EXPECT_NEAR(weighted.minor_sd_m(), plain.minor_sd_m() * std::sqrt(20.0 / 21.0 / freedom), 1e-12);
+    EXPECT_NEAR(weighted.major_direction_rad, plain.major_direction_rad, 1e-12);
+    EXPECT_LT(plain.minor_sd_m(), plain.major_sd_m());
+}
+
+TEST(SwarmShape, IsAPointWhereOneParticleHasAllTheWeight) {
+    std::vector<SnapshotParticle> swarm = test::normal_swarm(20, 3, {0.3, 0.1});
+    swarm[4].weight = 1.0;
+    EXPECT_EQ(swarm_shape(swarm, &SnapshotParticle::pose).major_variance_m2, 0.0);
+    swarm[5].weight = 1e-12;  // so little that the weights' rounding would be seen
+    EXPECT_EQ(swarm_shape(swarm, &SnapshotParticle::pose).major_variance_m2, 0.0);
 }
 
 TEST(SwarmShape, OfOneParticleIsAPoint) {

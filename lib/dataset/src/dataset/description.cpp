@@ -9,7 +9,7 @@
 
 #include "dataset/grouping.hpp"
 #include "scores/ranks.hpp"
-#include "swarm/spread.hpp"
+#include "swarm/rules.hpp"
 
 namespace ddtool::dataset {
 namespace {

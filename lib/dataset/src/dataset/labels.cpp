@@ -2,30 +2,21 @@
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
 #include "ddtool/base/error.hpp"
-#include "swarm/weights.hpp"
+#include "swarm/rules.hpp"
 
 namespace ddtool::dataset {
 namespace {
-
-template <typename Weight>
-double dispersion_of(std::span<const SnapshotParticle> particles, Weight weight) {
-    std::vector<double> weights(particles.size());
-    std::transform(particles.begin(), particles.end(), weights.begin(), weight);
-    return dispersion(weights);
-}
 
 Label label_if(bool degenerate) { return degenerate ? Label::degenerate : Label::not_degenerate; }
 
 }  // namespace
 
 std::array<double, 4> dispersions(std::span<const SnapshotParticle> particles) {
-    return {dispersion_of(particles, [](const SnapshotParticle& p) { return p.log_likelihood; }),
-            dispersion_of(particles, [](const SnapshotParticle& p) { return p.log_likelihood_increment; }),
-            dispersion_of(particles, [](const SnapshotParticle& p) { return p.match_score; }),
-            dispersion_of(particles, [](const SnapshotParticle& p) { return p.weight; })};
+    return {dispersion(particles, &SnapshotParticle::log_likelihood),
+            dispersion(particles, &SnapshotParticle::log_likelihood_increment),
+            dispersion(particles, &SnapshotParticle::match_score), dispersion(particles, &SnapshotParticle::weight)};
 }
 
 double labelled_dispersion(const std::array<double, 4>& dispersions, const LabelSettings& settings) {

@@ -13,12 +13,19 @@ const Eigen::Vector3d least_noise(2.5e-7, 2.5e-7, 4e-8);
 
 }  // namespace
 
+Eigen::Matrix3d turned_about_z(double theta_rad) {
+    const double c = std::cos(theta_rad);
+    const double s = std::sin(theta_rad);
+    Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
+    rotation.topLeftCorner<2, 2>() << c, -s, s, c;
+    return rotation;
+}
+
 Eigen::Matrix3d predicted_covariance(const Eigen::Matrix3d& covariance, const Pose2& from, const Pose2& motion,
                                      const MotionSigmas& sigmas) {
     const double c = std::cos(from.theta_rad);
     const double s = std::sin(from.theta_rad);
-    Eigen::Matrix3d to_world = Eigen::Matrix3d::Identity();
-    to_world.topLeftCorner<2, 2>() << c, -s, s, c;
+    const Eigen::Matrix3d to_world = turned_about_z(from.theta_rad);
     Eigen::Matrix3d carried = Eigen::Matrix3d::Identity();
     carried(0, 2) = -s * motion.x_m - c * motion.y_m;
     carried(1, 2) = c * motion.x_m - s * motion.y_m;

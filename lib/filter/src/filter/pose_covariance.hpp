@@ -7,6 +7,10 @@
 
 namespace ddtool {
 
+/// The rotation by theta_rad of vectors (x, y, theta): a covariance C in the robot's frame is R C R' in the world's, an
+/// information matrix likewise, where theta_rad is the robot's heading.
+Eigen::Matrix3d turned_about_z(double theta_rad);
+
 /// Covariance (x, y, theta in the world frame) of `from * motion`, where `covariance` is that of `from` and `sigmas`
 /// are those of the motion in the frame of `from`: first order, F P F' + G Q G'.
 Eigen::Matrix3d predicted_covariance(const Eigen::Matrix3d& covariance, const Pose2& from, const Pose2& motion,

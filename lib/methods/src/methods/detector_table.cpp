@@ -2,7 +2,7 @@
 
 #include <cmath>
 #include <filesystem>
-#include <memory>
+#include <utility>
 
 #include "ddtool/base/error.hpp"
 #include "ddtool/network/load_model.hpp"
@@ -13,18 +13,45 @@
 #include "system/fingerprint.hpp"
 
 namespace ddtool {
+namespace {
+
+/// Asks a detector where matching is in doubt, and there every few decimetres.
+class AskedInDoubt {
+public:
+    AskedInDoubt(DegeneracyDetector detector, const DetectionSettings& settings)
+        : detector_(std::move(detector)), settings_(settings) {}
+
+    Degeneracy operator()(const ParticleSnapshot& swarm) {
+        since_answer_m_ += std::hypot(swarm.odometry_motion.x_m, swarm.odometry_motion.y_m);
+        if (step_spread_(swarm).degree < settings_.doubt_share) {
+            answer_ = {};
+            since_answer_m_ = INFINITY;
+        } else if (since_answer_m_ >= settings_.every_m) {
+            answer_ = detector_(swarm);
+            since_answer_m_ = 0.0;
+        }
+        return answer_;
+    }
+
+private:
+    DegeneracyDetector detector_;
+    DegeneracyDetector step_spread_ = step_spread_detector();
+    DetectionSettings settings_;
+    Degeneracy answer_;
+    double since_answer_m_ = INFINITY;
+};
+
+}  // namespace
 
 DetectorTable::DetectorTable()
     : makers_{
-          {"none", [](const DetectionSettings&, const MotionNoise&) { return DegeneracyDetector(); }},
-          {"covariance", [](const DetectionSettings& settings,
-                            const MotionNoise&) { return covariance_detector(settings.covariance_sd_m); }},
-          {"step-spread", [](const DetectionSettings&, const MotionNoise&) { return step_spread_detector(); }},
-          {"neff", [](const DetectionSettings&, const MotionNoise&) { return effective_size_detector(); }},
-          {"always", [](const DetectionSettings&, const MotionNoise&) { return always_degenerate(); }},
-          {"oracle", [](const DetectionSettings&, const MotionNoise& noise) { return oracle_detector(noise); }},
-          {native::shipped_model_name, [](const DetectionSettings&,
-                                          const MotionNoise&) { return native::network_detector(native::shipped_model()); }},
+          {"none", [](const Ingredients&) { return DegeneracyDetector(); }},
+          {"covariance", [](const Ingredients& from) { return covariance_detector(from.settings.covariance_sd_m); }},
+          {"step-spread", [](const Ingredients&) { return step_spread_detector(); }},
+          {"neff", [](const Ingredients&) { return effective_size_detector(); }},
+          {"always", [](const Ingredients&) { return always_degenerate(); }},
+          {"oracle", [](const Ingredients& from) { return oracle_detector(from.noise, from.truth); }},
+          {native::shipped_model_name, [](const Ingredients&) { return native::network_detector(native::shipped_model()); }},
       },
       file_kinds_{{".safetensors",
                    [](const std::string& file) { return native::network_detector(native::load_model(std::filesystem::path(file))); }}} {}
@@ -40,7 +67,7 @@ std::vector<std::string> DetectorTable::names() const {
 DegeneracyDetector DetectorTable::make(const std::string& name, const DetectionSettings& settings,
                                        const MotionNoise& noise) const {
     if (const auto found = makers_.find(name); found != makers_.end()) {
-        return consulted_in_doubt(found->second(settings, noise), settings);
+        return found->second({settings, noise, truth_});
     }
     const auto kind = file_kinds_.find(std::filesystem::path(name).extension().string());
     if (kind == file_kinds_.end()) {
@@ -50,7 +77,7 @@ DegeneracyDetector DetectorTable::make(const std::string& name, const DetectionS
         }
         throw UsageError("filter.detector: expected " + joined(expected) + ", not '" + name + "'");
     }
-    return consulted_in_doubt(kind->second(name), settings);
+    return kind->second(name);
 }
 
 std::string DetectorTable::model_fingerprint(const std::string& name) const {
@@ -60,25 +87,17 @@ std::string DetectorTable::model_fingerprint(const std::string& name) const {
     return makers_.contains(name) ? "" : file_fingerprint(name);
 }
 
-DegeneracyDetector consulted_in_doubt(DegeneracyDetector detector, const DetectionSettings& settings) {
-    if (!detector || (settings.doubt_share <= 0.0 && settings.every_m <= 0.0)) {
-        return detector;
+std::vector<std::string> gate_names() { return {"in-doubt", "none"}; }
+
+std::string usual_gate(const std::string& detector) {
+    return detector == "none" || detector == "always" || detector == "oracle" ? "none" : "in-doubt";
+}
+
+DegeneracyDetector gated(const std::string& gate, DegeneracyDetector detector, const DetectionSettings& settings) {
+    if (gate != "in-doubt" && gate != "none") {
+        throw UsageError("filter.gate: expected " + joined(gate_names()) + ", not '" + gate + "'");
     }
-    struct Last {
-        Degeneracy degeneracy;
-        double since_m = INFINITY;
-    };
-    // The copies of a std::function share what was said last.
-    return [detector = std::move(detector), settings, last = std::make_shared<Last>(),
-            doubt = step_spread_detector()](const ParticleSnapshot& swarm) {
-        last->since_m += std::hypot(swarm.odometry_motion.x_m, swarm.odometry_motion.y_m);
-        if (doubt(swarm).degree < settings.doubt_share) {
-            *last = {};
-        } else if (last->since_m >= settings.every_m) {
-            *last = {detector(swarm), 0.0};
-        }
-        return last->degeneracy;
-    };
+    return gate == "none" || !detector ? detector : AskedInDoubt(std::move(detector), settings);
 }
 
 }  // namespace ddtool

@@ -18,7 +18,7 @@ DDTOOL_JSON_STRUCT(ScanMatcherSettings, reach_m, max_iterations, beam_sigma_m, d
 DDTOOL_JSON_STRUCT(RbpfSettings, particles, seed, update_distance_m, update_turn_rad, resample_share, likelihood_gain,
                    min_match_score, insert_distance_m, insert_turn_rad, motion, grid, points, matcher)
 
-DDTOOL_JSON_STRUCT(MethodParts, detector, search, trust, resampling, odometry)
+DDTOOL_JSON_STRUCT(MethodParts, detector, gate, search, trust, resampling, odometry)
 DDTOOL_JSON_STRUCT(DetectionSettings, covariance_sd_m, doubt_share, every_m)
 DDTOOL_JSON_STRUCT(CoarseFineSettings, step_m, turn_rad)
 DDTOOL_JSON_STRUCT(CorrelativeSearchSettings, window_m, window_rad, steps, levels, degenerate_share)
@@ -62,6 +62,8 @@ Json filter_settings_json(const FilterSettings& settings) {
     json["odometry_learning"] = method.odometry_learning;
     return json;
 }
+
+Json parts_json(const MethodSettings& settings) { return parts_of(settings); }
 
 Json common_filter_json() {
     Json json = filter_settings_json({});

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "network/response.hpp"
-#include "swarm/spread.hpp"
+#include "swarm/rules.hpp"
 
 namespace ddtool {
 namespace {

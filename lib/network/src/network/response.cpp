@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "swarm/moments.hpp"
+
 namespace ddtool {
 namespace {
 
@@ -11,43 +13,17 @@ bool is_finite_particle(const SnapshotParticle& particle) {
            std::isfinite(particle.matched_motion.x_m) && std::isfinite(particle.matched_motion.y_m);
 }
 
-/// Mean and covariance of one of the particles' motions; Welford's update.
-class Spread {
-public:
-    void include(const Pose2& motion) {
-        count_ += 1.0;
-        const double dx = motion.x_m - mean_.x_m;
-        const double dy = motion.y_m - mean_.y_m;
-        mean_.x_m += dx / count_;
-        mean_.y_m += dy / count_;
-        xx_ += dx * (motion.x_m - mean_.x_m);
-        xy_ += dx * (motion.y_m - mean_.y_m);
-        yy_ += dy * (motion.y_m - mean_.y_m);
-    }
-
-    [[nodiscard]] Point2 deviation(const Pose2& motion) const {
-        return {motion.x_m - mean_.x_m, motion.y_m - mean_.y_m};
-    }
-    [[nodiscard]] double major_angle() const { return 0.5 * std::atan2(2.0 * xy_, xx_ - yy_); }
-    /// Covariance of the deviations' components along two directions.
-    [[nodiscard]] double covariance(const Point2& first, const Point2& second) const {
-        const double sum =
-            first.x_m * (xx_ * second.x_m + xy_ * second.y_m) + first.y_m * (xy_ * second.x_m + yy_ * second.y_m);
-        return sum / std::max(1.0, count_ - 1.0);
-    }
-
-private:
-    double count_ = 0.0;
-    Point2 mean_;
-    double xx_ = 0.0, xy_ = 0.0, yy_ = 0.0;
-};
+/// How far a motion is from the mean of all.
+Point2 deviation(const Pose2& motion, const PositionMoments& all) {
+    return {motion.x_m - all.mean().x_m, motion.y_m - all.mean().y_m};
+}
 
 double dot(const Point2& a, const Point2& b) { return a.x_m * b.x_m + a.y_m * b.y_m; }
 
 /// The covector of the direction in which the matched spread is widest, both measured in predicted spreads: applied to
 /// a deviation in metres it gives how many of them that is.
-Point2 weakest_direction(const Spread& predicted, const Spread& matched, double least_spread_m) {
-    const double angle = predicted.major_angle();
+Point2 weakest_direction(const PositionMoments& predicted, const PositionMoments& matched, double least_spread_m) {
+    const double angle = predicted.shape().major_direction_rad;
     const Point2 major{std::cos(angle), std::sin(angle)};
     const Point2 minor{-major.y_m, major.x_m};
     const auto per_spread = [&](const Point2& axis) {
@@ -66,20 +42,20 @@ Point2 weakest_direction(const Spread& predicted, const Spread& matched, double 
 }  // namespace
 
 void response(std::span<const SnapshotParticle> particles, double least_spread_m, std::vector<Point2>& points) {
-    Spread predicted;
-    Spread matched;
+    PositionMoments predicted;
+    PositionMoments matched;
     for (const SnapshotParticle& particle : particles) {
         if (is_finite_particle(particle)) {
-            predicted.include(particle.predicted_motion);
-            matched.include(particle.matched_motion);
+            predicted.add(particle.predicted_motion);
+            matched.add(particle.matched_motion);
         }
     }
     const Point2 direction = weakest_direction(predicted, matched, least_spread_m);
     points.clear();
     for (const SnapshotParticle& particle : particles) {
         if (is_finite_particle(particle)) {
-            points.push_back({dot(direction, predicted.deviation(particle.predicted_motion)),
-                              dot(direction, matched.deviation(particle.matched_motion))});
+            points.push_back({dot(direction, deviation(particle.predicted_motion, predicted)),
+                              dot(direction, deviation(particle.matched_motion, matched))});
         }
     }
 }

@@ -10,22 +10,10 @@
 namespace ddtool {
 namespace {
 
-char pgm_grey(std::int8_t cell) {
-    if (cell == MapRaster::unknown) {
-        return static_cast<char>(205);
-    }
-    return cell == MapRaster::occupied ? static_cast<char>(0) : static_cast<char>(254);
-}
-
 void write_pgm(std::ostream& out, const MapRaster& map) {
     out << "P5\n" << map.width << " " << map.height << "\n255\n";
-    std::string row(map.width, '\0');
-    for (std::size_t y = map.height; y-- > 0;) {
-        for (std::size_t x = 0; x < map.width; ++x) {
-            row[x] = pgm_grey(map.cells[y * map.width + x]);
-        }
-        out << row;
-    }
+    const std::vector<std::uint8_t> pixels = map_pixels(map);
+    out.write(reinterpret_cast<const char*>(pixels.data()), static_cast<std::streamsize>(pixels.size()));
 }
 
 /// The free threshold lies below (255 - 205) / 255, so that grey 205 stays unknown.

@@ -24,14 +24,6 @@ const cv::Scalar white(255, 255, 255);
 const cv::Scalar blue(178, 114, 0);
 const cv::Scalar green(115, 158, 0);
 const cv::Scalar red(30, 50, 213);
-constexpr std::uint8_t unknown_grey = 215;
-
-std::uint8_t cell_grey(std::int8_t cell) {
-    if (cell == MapRaster::unknown) {
-        return unknown_grey;
-    }
-    return cell == MapRaster::occupied ? 0 : 255;
-}
 
 /// The part of the world a picture shows.
 struct Extent {
@@ -107,7 +99,7 @@ public:
             const double top_m = extent_.y_max_m - (row - margin_px) * pixel_m;
             const CellRange rows = cells_between(top_m - pixel_m, top_m, map.origin_m.y_m, map.cell_size_m, map.height);
             for (int column = 0; column < image_.cols; ++column) {
-                const std::uint8_t level = cell_grey(winner(map, columns[static_cast<std::size_t>(column)], rows));
+                const std::uint8_t level = map_grey(winner(map, columns[static_cast<std::size_t>(column)], rows));
                 image_(row, column) = {level, level, level};
             }
         }
@@ -164,17 +156,6 @@ private:
 };
 
 }  // namespace
-
-std::vector<std::uint8_t> grey_pixels(const MapRaster& map) {
-    std::vector<std::uint8_t> pixels;
-    pixels.reserve(map.cells.size());
-    for (std::size_t row = map.height; row-- > 0;) {
-        for (std::size_t column = 0; column < map.width; ++column) {
-            pixels.push_back(cell_grey(map.cells[row * map.width + column]));
-        }
-    }
-    return pixels;
-}
 
 void write_map_picture(const std::filesystem::path& file, const MapRaster& map, const Trajectory& path) {
     const Extent extent = extent_of(map, path);

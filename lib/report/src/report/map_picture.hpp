@@ -1,16 +1,11 @@
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
-#include <vector>
 
 #include "ddtool/robot/trajectory.hpp"
 #include "report/map_raster.hpp"
 
 namespace ddtool {
-
-/// A cell a pixel, row by row from the highest y: occupied black, free white, unknown grey.
-std::vector<std::uint8_t> grey_pixels(const MapRaster& map);
 
 /// A picture of a map with the path on it: start green, end red, and a scale bar below. Throws Error naming the file.
 void write_map_picture(const std::filesystem::path& file, const MapRaster& map, const Trajectory& path);

@@ -29,6 +29,24 @@ std::int8_t cell_value(std::int8_t log_odds) {
 
 }  // namespace
 
+std::uint8_t map_grey(std::int8_t cell) {
+    if (cell == MapRaster::unknown) {
+        return 205;
+    }
+    return cell == MapRaster::occupied ? 0 : 254;
+}
+
+std::vector<std::uint8_t> map_pixels(const MapRaster& map) {
+    std::vector<std::uint8_t> pixels;
+    pixels.reserve(map.cells.size());
+    for (std::size_t row = map.height; row-- > 0;) {
+        for (std::size_t column = 0; column < map.width; ++column) {
+            pixels.push_back(map_grey(map.cells[row * map.width + column]));
+        }
+    }
+    return pixels;
+}
+
 MapRaster map_raster(const OccupancyGrid& grid) {
     const CellBox box = tight_box(grid);
     MapRaster map{.width = static_cast<std::size_t>(box.x_max - box.x_min),

@@ -25,6 +25,13 @@ struct MapRaster {
     [[nodiscard]] double height_m() const { return static_cast<double>(height) * cell_size_m; }
 };
 
+/// The grey of a cell's value, in every picture of a map and in map files: 0, black, for occupied, 254, almost white,
+/// for free, 205 for unknown. The levels are those that ROS's map_server reads in its trinary mode.
+std::uint8_t map_grey(std::int8_t cell);
+
+/// A pixel for each cell, by map_grey(), row by row from the highest y: as a picture is seen, north up.
+std::vector<std::uint8_t> map_pixels(const MapRaster& map);
+
 /// Never empty: one unknown cell stands for a grid in which nothing was observed, since map servers refuse less.
 MapRaster map_raster(const OccupancyGrid& grid);
 

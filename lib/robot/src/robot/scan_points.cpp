@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "robot/principal_axes.hpp"
+
 namespace ddtool {
 namespace {
 
@@ -57,16 +59,14 @@ void set_normal(ScanPoints& points, std::size_t point, const ScanPointsSettings&
     const double xx = m.xx / m.count - m.x * m.x / (m.count * m.count);
     const double xy = m.xy / m.count - m.x * m.y / (m.count * m.count);
     const double yy = m.yy / m.count - m.y * m.y / (m.count * m.count);
-    const double root = std::hypot((xx - yy) / 2.0, xy);
-    const double largest = (xx + yy) / 2.0 + root;
-    const double smallest = std::max((xx + yy) / 2.0 - root, 0.0);
-    if (std::sqrt(largest) > settings.normal_radius_m && std::sqrt(smallest) > far_line_residual_m) {
+    const PrincipalAxes axes = principal_axes(xx, xy, yy);
+    const double smallest = std::max(axes.smaller, 0.0);
+    if (std::sqrt(axes.larger) > settings.normal_radius_m && std::sqrt(smallest) > far_line_residual_m) {
         return;
     }
-    const double line_angle_rad = std::atan2(2.0 * xy, xx - yy) / 2.0;
-    points.normal_x[point] = static_cast<float>(-std::sin(line_angle_rad));
-    points.normal_y[point] = static_cast<float>(std::cos(line_angle_rad));
-    const double flatness = std::sqrt(smallest / std::max(largest, 1e-12));
+    points.normal_x[point] = static_cast<float>(-std::sin(axes.direction_rad));
+    points.normal_y[point] = static_cast<float>(std::cos(axes.direction_rad));
+    const double flatness = std::sqrt(smallest / std::max(axes.larger, 1e-12));
     const double roughness = std::clamp((flatness - settings.line_flatness) / (1.0 - settings.line_flatness), 0.0, 1.0);
     points.along_weight[point] = static_cast<float>(roughness * roughness);
 }

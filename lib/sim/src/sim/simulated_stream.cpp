@@ -9,7 +9,9 @@ std::optional<SensorFrame> SimulatedStream::next() {
         return std::nullopt;
     }
     SimulatedFrame frame = simulation_.frame(next_++);
-    frame.frame.fisher_information = frame.fisher_information;
+    if (truth_) {
+        truth_->add(frame.frame.scan.stamp_ns, frame.fisher_information);
+    }
     return std::move(frame.frame);
 }
 

@@ -1,5 +1,9 @@
 #pragma once
 
+#include <memory>
+#include <utility>
+
+#include "ddtool/robot/scan_truth.hpp"
 #include "ddtool/robot/sensor_stream.hpp"
 #include "sim/simulation.hpp"
 
@@ -12,12 +16,14 @@ public:
 
     std::optional<SensorFrame> next() override;
     [[nodiscard]] double fraction_read() const override;
+    void tell_truth(std::shared_ptr<ScanTruth> truth) override { truth_ = std::move(truth); }
 
     [[nodiscard]] const Simulation& simulation() const { return simulation_; }
 
 private:
     Simulation simulation_;
     std::size_t next_ = 0;
+    std::shared_ptr<ScanTruth> truth_;
 };
 
 }  // namespace ddtool::sim

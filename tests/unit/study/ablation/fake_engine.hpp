@@ -5,7 +5,7 @@
 #include <functional>
 
 #include "ddtool/base/error.hpp"
-#include "swarm/spread.hpp"
+#include "swarm/rules.hpp"
 #include "system/atomic_file.hpp"
 #include "train/engine.hpp"
 

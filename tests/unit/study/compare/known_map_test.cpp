@@ -20,10 +20,14 @@ double ate_m(const Seen& seen) {
     settings.lidar.beams = 90;
     settings.odometry = sim::odometry_preset("poor");
     sim::SimulatedStream stream(sim::load_world(ddtool::test::write_tiny_world(folder / "tiny.json")), settings);
-    KnownMapMethod method(settings.odometry, 1);
+    const auto told = std::make_shared<ScanTruth>();
+    stream.tell_truth(told);
+    const auto passed_on = std::make_shared<ScanTruth>();
+    KnownMapMethod method(settings.odometry, 1, passed_on);
     Trajectory truth;
-    while (std::optional<SensorFrame> frame = stream.next()) {
-        frame->fisher_information = seen(*frame->fisher_information);
+    while (const std::optional<SensorFrame> frame = stream.next()) {
+        const std::int64_t stamp_ns = frame->scan.stamp_ns;
+        passed_on->add(stamp_ns, seen(told->fisher_information(stamp_ns).value()));
         truth.push_back({frame->scan.stamp_ns, *frame->world_from_robot});
         method.process(*frame);
     }
@@ -41,7 +45,7 @@ TEST(KnownMap, KnowsMoreTheMoreTheScansTell) {
 }
 
 TEST(KnownMap, IsForSimulatedWorldsOnly) {
-    KnownMapMethod method({}, 1);
+    KnownMapMethod method({}, 1, std::make_shared<ScanTruth>());
     EXPECT_THAT(ddtool::test::thrown_text([&] { method.process({}); }), testing::HasSubstr("known-map"));
 }
 

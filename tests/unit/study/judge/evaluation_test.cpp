@@ -7,7 +7,7 @@
 #include "known_dataset.hpp"
 #include "study/judge/groups.hpp"
 #include "study/judge/mistakes.hpp"
-#include "swarm/spread.hpp"
+#include "swarm/rules.hpp"
 
 namespace ddtool::detection {
 namespace {

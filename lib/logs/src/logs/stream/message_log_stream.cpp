@@ -137,7 +137,7 @@ void MessageLogStream::take_information(const McapMessage& message) {
     }
     for (WaitingScan& scan : waiting_) {
         if (scan.frame.scan.stamp_ns == message.log_time_ns) {
-            scan.frame.fisher_information = information;
+            scan.information = information;
         }
         scan.has_information = scan.has_information || scan.frame.scan.stamp_ns <= message.log_time_ns;
     }
@@ -154,12 +154,16 @@ bool MessageLogStream::first_is_ready() const {
 }
 
 SensorFrame MessageLogStream::release_first() {
-    SensorFrame frame = std::move(waiting_.front().frame);
+    WaitingScan scan = std::move(waiting_.front());
     waiting_.pop_front();
+    SensorFrame& frame = scan.frame;
+    if (truth_ && scan.information) {
+        truth_->add(frame.scan.stamp_ns, *scan.information);
+    }
     ++summary_.scans;
     frame.odom_from_robot = odometry_at(frame.scan.stamp_ns);
     frame.world_from_robot = ground_truth_.at(frame.scan.stamp_ns);
-    return frame;
+    return std::move(scan.frame);
 }
 
 Pose2 MessageLogStream::odometry_at(std::int64_t stamp_ns) {

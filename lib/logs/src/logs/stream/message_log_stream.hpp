@@ -5,8 +5,10 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "ddtool/logs/log_stream.hpp"
+#include "ddtool/robot/scan_truth.hpp"
 #include "logs/containers/message_source.hpp"
 #include "logs/stream/log_plan.hpp"
 #include "logs/stream/pose_track.hpp"
@@ -34,10 +36,12 @@ public:
 
     std::optional<SensorFrame> next() override;
     [[nodiscard]] double fraction_read() const override { return source_->fraction_read(); }
+    void tell_truth(std::shared_ptr<ScanTruth> truth) override { truth_ = std::move(truth); }
 
 private:
     struct WaitingScan {
         SensorFrame frame;
+        std::optional<Eigen::Matrix3d> information;  ///< the simulator's, where it has come
         bool has_odometry = false;
         bool has_ground_truth = false;
         bool has_information = false;
@@ -63,6 +67,7 @@ private:
     std::deque<WaitingScan> waiting_;
     PoseTrack odometry_;
     PoseTrack ground_truth_;
+    std::shared_ptr<ScanTruth> truth_;
     bool ended_ = false;
 };
 

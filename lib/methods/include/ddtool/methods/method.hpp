@@ -18,6 +18,7 @@ namespace ddtool {
 /// A method of the filter: the name of its part in each place where methods differ.
 struct MethodParts {
     std::string detector = "none";
+    std::string gate{};                     ///< when the detector is asked: in-doubt, none; empty: its usual_gate()
     std::string search = "none";            ///< a second search for the match: coarse-fine, correlative
     std::string trust = "none";             ///< match or odometry: lidar-score, information, eigenvalue-gate, odometry
     std::string resampling = "systematic";  ///< or enhanced
@@ -27,7 +28,7 @@ struct MethodParts {
 /// Which method, its parts where they differ from the method's own, and the settings of all parts.
 struct MethodSettings {
     std::string method = "anti-degeneracy";
-    MethodParts parts{"", "", "", "", ""};  ///< empty: as the method has it
+    MethodParts parts{"", "", "", "", "", ""};  ///< empty: as the method has it
     DetectionSettings detection;
     CoarseFineSettings coarse_fine;
     CorrelativeSearchSettings correlative;
@@ -46,7 +47,8 @@ struct FilterSettings {
 /// The names of all methods.
 std::vector<std::string> method_names();
 
-/// The parts in effect: the method's, except where the settings name others. Throws UsageError for an unknown method.
+/// The parts in effect, all of them named: the method's, except where the settings name others. Throws UsageError for
+/// an unknown method.
 MethodParts parts_of(const MethodSettings& settings);
 
 /// The filter of a method; one with a single hypothesis has one particle, whatever the settings say. Throws UsageError

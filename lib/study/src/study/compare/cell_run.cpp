@@ -3,6 +3,7 @@
 #include <chrono>
 
 #include "ddtool/base/error.hpp"
+#include "ddtool/robot/scan_truth.hpp"
 #include "scores/trajectory_score.hpp"
 #include "scores/tum_file.hpp"
 
@@ -12,10 +13,11 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 /// Feeds the method; gives back what the frames say of the truth.
-Trajectory feed(Method& method, const DataSource& data, CellResult& result,
-                const std::function<void(double)>& on_progress) {
+Trajectory feed(Method& method, const DataSource& data, const std::shared_ptr<ScanTruth>& scan_truth,
+                CellResult& result, const std::function<void(double)>& on_progress) {
     Trajectory truth;
     const std::unique_ptr<SensorStream> stream = data.open([&](const LogProblem&) { ++result.log_problems; });
+    stream->tell_truth(scan_truth);
     while (const std::optional<SensorFrame> frame = stream->next()) {
         method.process(*frame);
         if (frame->world_from_robot) {
@@ -52,9 +54,10 @@ CellResult run_cell(const Experiment& experiment, const Cell& cell, ResultStore&
     const Clock::time_point start = Clock::now();
     CellResult result;
     result.program = program;
-    const auto method =
-        experiment.methods[cell.method].start(experiment.worlds[cell.world].name(), experiment.seeds[cell.seed]);
-    Trajectory truth = feed(*method, *cell.data, result, on_progress);
+    const auto scan_truth = std::make_shared<ScanTruth>();
+    const auto method = experiment.methods[cell.method].start(experiment.worlds[cell.world].name(),
+                                                              experiment.seeds[cell.seed], scan_truth);
+    Trajectory truth = feed(*method, *cell.data, scan_truth, result, on_progress);
     if (!cell.data->reference_file.empty()) {
         truth = read_tum(cell.data->reference_file);
     }

@@ -2,6 +2,7 @@
 
 #include <Eigen/Dense>
 #include <cmath>
+#include <utility>
 
 #include "ddtool/base/error.hpp"
 
@@ -38,11 +39,13 @@ Eigen::Vector3d noise_of(const sim::OdometrySettings& odometry, const Pose2& mot
 
 }  // namespace
 
-KnownMapMethod::KnownMapMethod(const sim::OdometrySettings& odometry, std::uint64_t seed)
-    : odometry_(odometry), random_({seed, measurement_draw}) {}
+KnownMapMethod::KnownMapMethod(const sim::OdometrySettings& odometry, std::uint64_t seed,
+                               std::shared_ptr<const ScanTruth> truth)
+    : odometry_(odometry), random_({seed, measurement_draw}), truth_(std::move(truth)) {}
 
 void KnownMapMethod::process(const SensorFrame& frame) {
-    if (!frame.world_from_robot || !frame.fisher_information) {
+    const auto information = truth_->fisher_information(frame.scan.stamp_ns);
+    if (!frame.world_from_robot || !information) {
         throw Error(
             "kind known-map: expected a simulated world, which has the truth and the scans' Fisher information");
     }
@@ -59,7 +62,7 @@ void KnownMapMethod::process(const SensorFrame& frame) {
         const double duration_s = 1e-9 * static_cast<double>(step.stamp_ns - steps_.back().stamp_ns);
         predict(between(odom_from_robot_, frame.odom_from_robot), duration_s, step);
     }
-    correct(frame, step);
+    correct(*frame.world_from_robot, *information, step);
     odom_from_robot_ = frame.odom_from_robot;
     steps_.push_back(step);
 }
@@ -81,14 +84,14 @@ void KnownMapMethod::predict(const Pose2& motion, double duration_s, Step& step)
         world_from_robot * noise_of(odometry_, motion).asDiagonal() * world_from_robot.transpose();
 }
 
-void KnownMapMethod::correct(const SensorFrame& frame, Step& step) {
-    const Eigen::Matrix3d world_from_robot = rotation_of(frame.world_from_robot->theta_rad);
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(world_from_robot * *frame.fisher_information *
+void KnownMapMethod::correct(const Pose2& true_pose, const Eigen::Matrix3d& information_in_robot, Step& step) {
+    const Eigen::Matrix3d world_from_robot = rotation_of(true_pose.theta_rad);
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(world_from_robot * information_in_robot *
                                                               world_from_robot.transpose());
     const Eigen::Vector3d values = axes.eigenvalues().cwiseMax(0.0);
     const Eigen::Matrix3d information = axes.eigenvectors() * values.asDiagonal() * axes.eigenvectors().transpose();
     const Eigen::Vector3d normals(random_.normal(), random_.normal(), random_.normal());
-    Eigen::Vector3d apart = vector_of(*frame.world_from_robot) - step.predicted.head<3>();
+    Eigen::Vector3d apart = vector_of(true_pose) - step.predicted.head<3>();
     apart.z() = wrap_angle(apart.z());
     Matrix5 sum = step.predicted_covariance.inverse();
     sum.topLeftCorner<3, 3>() += information;

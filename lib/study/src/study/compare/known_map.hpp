@@ -2,10 +2,12 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "ddtool/base/random.hpp"
+#include "ddtool/robot/scan_truth.hpp"
 #include "sim/wheel_odometry.hpp"
 #include "study/compare/method.hpp"
 
@@ -21,8 +23,9 @@ namespace ddtool::compare {
 /// systems").
 class KnownMapMethod : public Method {
 public:
-    KnownMapMethod(const sim::OdometrySettings& odometry, std::uint64_t seed);
-    /// Throws Error for a frame without truth or Fisher information.
+    /// truth: has the Fisher information of the frames that will come.
+    KnownMapMethod(const sim::OdometrySettings& odometry, std::uint64_t seed, std::shared_ptr<const ScanTruth> truth);
+    /// Throws Error for a frame without true pose or Fisher information.
     void process(const SensorFrame& frame) override;
     Trajectory trajectory() override;
 
@@ -37,10 +40,11 @@ private:
     };
 
     void predict(const Pose2& motion, double duration_s, Step& step) const;
-    void correct(const SensorFrame& frame, Step& step);
+    void correct(const Pose2& true_pose, const Eigen::Matrix3d& information_in_robot, Step& step);
 
     sim::OdometrySettings odometry_;
     RandomStream random_;
+    std::shared_ptr<const ScanTruth> truth_;
     Pose2 odom_from_robot_;
     std::vector<Step> steps_;
 };

@@ -8,22 +8,6 @@
 namespace ddtool::compare {
 namespace {
 
-constexpr std::uint8_t unknown_grey = 205;
-constexpr std::array<std::uint8_t, 1> unknown_pixel{unknown_grey};
-
-/// Occupied black, free white, unknown grey; the first row at the top.
-std::vector<std::uint8_t> grey_pixels(const MapRaster& map) {
-    std::vector<std::uint8_t> pixels;
-    pixels.reserve(map.cells.size());
-    for (std::size_t row = map.height; row-- > 0;) {
-        for (std::size_t column = 0; column < map.width; ++column) {
-            const std::int8_t cell = map.cells[row * map.width + column];
-            pixels.push_back(cell == MapRaster::occupied ? 0 : cell == MapRaster::free ? 255 : unknown_grey);
-        }
-    }
-    return pixels;
-}
-
 plot::Range x_of(const MapRaster& map) { return {map.origin_m.x_m, map.origin_m.x_m + map.width_m()}; }
 plot::Range y_of(const MapRaster& map) { return {map.origin_m.y_m, map.origin_m.y_m + map.height_m()}; }
 
@@ -67,7 +51,8 @@ void draw_maps(const std::filesystem::path& file, const ShownRun& run) {
     }
     write_side_by_side(file, extent, maps.size(), [&](plot::Axes& axes, std::size_t panel) {
         const MapRaster& map = maps[panel].raster;
-        const std::vector<std::uint8_t> pixels = grey_pixels(map);
+        const std::vector<std::uint8_t> pixels = map_pixels(map);
+        const std::array<std::uint8_t, 1> unknown_pixel{map_grey(MapRaster::unknown)};
         axes.title(maps[panel].title);
         axes.picture({.width_px = 1, .height_px = 1, .channels = 1, .pixels = unknown_pixel}, extent.x, extent.y);
         axes.picture({.width_px = map.width, .height_px = map.height, .channels = 1, .pixels = pixels}, x_of(map),

@@ -27,7 +27,7 @@ class FilterMethod : public Method {
 public:
     FilterMethod(const FilterSettings& settings, const DetectorTable& detectors)
         : filter_(make_filter(settings, detectors, threads_)) {}
-    void process(const SensorFrame& frame) override { filter_->process(frame); }
+    void process(const SensorFrame& frame) override { filter_->update(frame); }
     Trajectory trajectory() override { return filter_->trajectory(); }
 
 private:
@@ -109,15 +109,18 @@ Json MethodEntry::identity(const std::string& world, std::uint64_t seed) const {
     return {{"kind", kind_}};
 }
 
-std::unique_ptr<Method> MethodEntry::start(const std::string& world, std::uint64_t seed) const {
+std::unique_ptr<Method> MethodEntry::start(const std::string& world, std::uint64_t seed,
+                                           std::shared_ptr<const ScanTruth> truth) const {
     if (kind_ == "filter") {
-        return std::make_unique<FilterMethod>(filter_settings(settings_, seed), detectors_);
+        DetectorTable detectors = detectors_;
+        detectors.know(std::move(truth));
+        return std::make_unique<FilterMethod>(filter_settings(settings_, seed), detectors);
     }
     if (kind_ == "external") {
         return std::make_unique<ExternalMethod>(file(world, seed));
     }
     if (kind_ == "known-map") {
-        return std::make_unique<KnownMapMethod>(sim::odometry_preset(settings_.at("odometry")), seed);
+        return std::make_unique<KnownMapMethod>(sim::odometry_preset(settings_.at("odometry")), seed, std::move(truth));
     }
     return std::make_unique<OdometryMethod>();
 }

@@ -34,7 +34,9 @@ public:
     [[nodiscard]] const std::string& name() const { return name_; }
     /// Everything that, with the data, decides the trajectory.
     [[nodiscard]] Json identity(const std::string& world, std::uint64_t seed) const;
-    [[nodiscard]] std::unique_ptr<Method> start(const std::string& world, std::uint64_t seed) const;
+    /// truth: what the stream tells whose frames the method will get (SensorStream::tell_truth()).
+    [[nodiscard]] std::unique_ptr<Method> start(const std::string& world, std::uint64_t seed,
+                                                std::shared_ptr<const ScanTruth> truth) const;
 
 private:
     [[nodiscard]] std::string model_fingerprint() const;

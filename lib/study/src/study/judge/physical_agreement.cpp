@@ -3,6 +3,7 @@
 #include <cmath>
 #include <map>
 
+#include "robot/principal_axes.hpp"
 #include "scores/ranks.hpp"
 
 namespace ddtool::detection {
@@ -15,7 +16,7 @@ using dataset::SampleRecord;
 /// Of the position, heading known: of the information's block xx, xy, yy.
 double smaller_eigenvalue(const SampleRecord& sample) {
     const auto& [xx, xy, xt, yy, yt, tt] = sample.information;
-    return (xx + yy) / 2.0 - std::hypot((xx - yy) / 2.0, xy);
+    return principal_axes(xx, xy, yy).smaller;
 }
 
 /// Samples of a kind of source, as columns.

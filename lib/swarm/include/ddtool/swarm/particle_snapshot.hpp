@@ -1,8 +1,6 @@
 #pragma once
 
-#include <Eigen/Core>
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 #include "ddtool/robot/pose2.hpp"
@@ -25,8 +23,6 @@ struct ParticleSnapshot {
     std::uint64_t update = 0;  ///< filter updates before this one
     Pose2 odometry_motion;     ///< noise-free odometry motion since the last update, in the robot's previous frame
     std::vector<SnapshotParticle> particles;
-    /// Of the scan, at the true pose, where the source knows it: see SensorFrame.
-    std::optional<Eigen::Matrix3d> fisher_information = std::nullopt;
 };
 
 }  // namespace ddtool

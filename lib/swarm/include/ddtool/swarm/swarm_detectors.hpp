@@ -1,9 +1,13 @@
 #pragma once
 
+#include <memory>
+
 #include "ddtool/swarm/degeneracy_detector.hpp"
 #include "ddtool/swarm/motion_model.hpp"
 
 namespace ddtool {
+
+class ScanTruth;
 
 /// Switch-SLAM's test (Lee et al. 2024, "Switch-SLAM: Switching-based LiDAR-inertial-visual SLAM for degenerate
 /// environments") as the paper uses it: the larger eigenvalue of the swarm's weighted covariance of positions against a
@@ -22,8 +26,8 @@ DegeneracyDetector effective_size_detector();
 DegeneracyDetector always_degenerate();
 
 /// The true scan's say against the odometry's, from the simulator's Fisher information: sd_m^2 / (sd_m^2 + sd_o^2)
-/// along the direction that the scan holds least, 0.5 where both say as much. Throws Error for a log that does not have
-/// it.
-DegeneracyDetector oracle_detector(const MotionNoise& noise);
+/// along the direction that the scan holds least, 0.5 where both say as much. `truth` is what the snapshots' source
+/// tells (SensorStream::tell_truth()). The detector throws Error for a snapshot whose scan is not in it.
+DegeneracyDetector oracle_detector(const MotionNoise& noise, std::shared_ptr<const ScanTruth> truth);
 
 }  // namespace ddtool
