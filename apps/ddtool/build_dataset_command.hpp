@@ -1,7 +1,7 @@
 #pragma once
 
 #include "command.hpp"
-#include "dataset/part_runner.hpp"
+#include "dataset/parts.hpp"
 
 namespace ddtool {
 

@@ -71,7 +71,7 @@ ExitCode CompareCommand::run(const Json& settings) {
         compare::draw_worlds(folder_, experiment, cells, results, store, threads);
     const bool has_page = compare::write_report(folder_, experiment, cells, results, pictures);
     if (as_json_) {
-        std::cout << compare::report_json(experiment, cells, results).dump(2) << '\n';
+        std::cout << compare::results_json(experiment, cells, results).dump(2) << '\n';
     } else {
         std::cout << compare::overview_table(experiment, compare::summaries_of(experiment, cells, results)).text();
     }

@@ -5,8 +5,7 @@
 
 #include "dataset/counts.hpp"
 #include "dataset/description.hpp"
-#include "dataset/histograms.hpp"
-#include "dataset/montages.hpp"
+#include "dataset/pictures.hpp"
 #include "report/page.hpp"
 #include "system/log.hpp"
 

@@ -161,9 +161,9 @@ ExitCode EvalCommand::run(const Json& settings) {
     if (!tested) {
         log_warning(data_ + ": no samples for " + name_of(task) + ": only their agreement with the physics is known");
     }
-    const std::string report = detection::report_json(data, evaluations, task).dump(2) + "\n";
+    const std::string json = detection::evaluation_json(data, evaluations, task).dump(2) + "\n";
     if (!out_.empty()) {
-        write_file(made_folder(out_) / "eval.json", report);
+        write_file(made_folder(out_) / "eval.json", json);
     }
     if (!out_.empty() && tested) {
         detection::draw_evaluations(out_, data, evaluations, detection::detailed(evaluations).front());
@@ -173,7 +173,7 @@ ExitCode EvalCommand::run(const Json& settings) {
                               return page_of(out_, html::name_of(data_), data, evaluations, task);
                           });
     if (as_json_) {
-        std::cout << report;
+        std::cout << json;
     } else {
         print(data, evaluations, task);
     }

@@ -30,7 +30,7 @@ public:
             const auto label = sample % 3 == 0 ? dataset::Label::degenerate : dataset::Label::not_degenerate;
             records[sample].label = {label, sample == options.unlabelled ? dataset::Label::unknown : label};
         }
-        dataset::Manifest manifest{"test", Json::object(), Json::object(), {{"world", "drawn"}}, {{}}, {}};
+        dataset::Manifest manifest{"test", Json::object(), {}, {{dataset::SourceKind::world, "drawn"}}, {{}}, {}};
         manifest.shards.push_back(dataset::write_shard(root_, "shard-0000", records, [&](std::size_t sample) {
             return std::span<const SnapshotParticle>(swarms[sample]);
         }));

@@ -12,7 +12,7 @@
 namespace ddtool::compare {
 namespace {
 
-/// ATE of the method's trajectory over a drive of which every scan's information passes through `seen`.
+/// ATE of the estimator's trajectory over a drive of which every scan's information passes through `seen`.
 template <typename Seen>
 double ate_m(const Seen& seen) {
     const ddtool::test::TemporaryFolder folder;
@@ -20,14 +20,14 @@ double ate_m(const Seen& seen) {
     settings.lidar.beams = 90;
     settings.odometry = sim::odometry_preset("poor");
     sim::SimulatedStream stream(sim::load_world(ddtool::test::write_tiny_world(folder / "tiny.json")), settings);
-    KnownMapMethod method(settings.odometry, 1);
+    KnownMapEstimator estimator(settings.odometry, 1);
     Trajectory truth;
     while (std::optional<SensorFrame> frame = stream.next()) {
         frame->fisher_information = seen(*frame->fisher_information);
         truth.push_back({frame->scan.stamp_ns, *frame->world_from_robot});
-        method.process(*frame);
+        estimator.process(*frame);
     }
-    return score_against(method.trajectory(), truth).absolute->translation_m.rmse;
+    return score_against(estimator.trajectory(), truth).absolute->translation_m.rmse;
 }
 
 TEST(KnownMap, KnowsMoreTheMoreTheScansTell) {
@@ -41,8 +41,8 @@ TEST(KnownMap, KnowsMoreTheMoreTheScansTell) {
 }
 
 TEST(KnownMap, IsForSimulatedWorldsOnly) {
-    KnownMapMethod method({}, 1);
-    EXPECT_THAT(ddtool::test::thrown_text([&] { method.process({}); }), testing::HasSubstr("known-map"));
+    KnownMapEstimator estimator({}, 1);
+    EXPECT_THAT(ddtool::test::thrown_text([&] { estimator.process({}); }), testing::HasSubstr("known-map"));
 }
 
 }  // namespace

@@ -27,7 +27,7 @@ public:
     RepeatedRuns(const LabelAt& dispersion, const LabelAt& fisher, std::uint64_t other_particles = 30) {
         const auto label = [](bool degenerate) { return degenerate ? Label::degenerate : Label::not_degenerate; };
         std::vector<dataset::SampleRecord> records;
-        dataset::Manifest manifest{"test", Json::object(), Json::object(), {{"world", "w"}}, {}, {}};
+        dataset::Manifest manifest{"test", Json::object(), {}, {{dataset::SourceKind::world, "w"}}, {}, {}};
         RandomStream random({1});
         for (std::size_t run = 0; run < runs; ++run) {
             dataset::RunEntry entry;

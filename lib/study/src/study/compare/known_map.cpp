@@ -38,10 +38,10 @@ Eigen::Vector3d noise_of(const sim::OdometrySettings& odometry, const Pose2& mot
 
 }  // namespace
 
-KnownMapMethod::KnownMapMethod(const sim::OdometrySettings& odometry, std::uint64_t seed)
+KnownMapEstimator::KnownMapEstimator(const sim::OdometrySettings& odometry, std::uint64_t seed)
     : odometry_(odometry), random_({seed, measurement_draw}) {}
 
-void KnownMapMethod::process(const SensorFrame& frame) {
+void KnownMapEstimator::process(const SensorFrame& frame) {
     if (!frame.world_from_robot || !frame.fisher_information) {
         throw Error(
             "kind known-map: expected a simulated world, which has the truth and the scans' Fisher information");
@@ -64,7 +64,7 @@ void KnownMapMethod::process(const SensorFrame& frame) {
     steps_.push_back(step);
 }
 
-void KnownMapMethod::predict(const Pose2& motion, double duration_s, Step& step) const {
+void KnownMapEstimator::predict(const Pose2& motion, double duration_s, Step& step) const {
     const Step& before = steps_.back();
     const Eigen::Matrix3d world_from_robot = rotation_of(before.filtered(2));
     const Eigen::Vector3d way = world_from_robot * Eigen::Vector3d(motion.x_m, motion.y_m, 0.0);
@@ -81,7 +81,7 @@ void KnownMapMethod::predict(const Pose2& motion, double duration_s, Step& step)
         world_from_robot * noise_of(odometry_, motion).asDiagonal() * world_from_robot.transpose();
 }
 
-void KnownMapMethod::correct(const SensorFrame& frame, Step& step) {
+void KnownMapEstimator::correct(const SensorFrame& frame, Step& step) {
     const Eigen::Matrix3d world_from_robot = rotation_of(frame.world_from_robot->theta_rad);
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(world_from_robot * *frame.fisher_information *
                                                               world_from_robot.transpose());
@@ -98,7 +98,7 @@ void KnownMapMethod::correct(const SensorFrame& frame, Step& step) {
     step.filtered = step.predicted + step.covariance.leftCols<3>() * pull;
 }
 
-Trajectory KnownMapMethod::trajectory() {
+Trajectory KnownMapEstimator::trajectory() {
     Trajectory trajectory(steps_.size());
     Vector5 smoothed = Vector5::Zero();
     for (std::size_t i = steps_.size(); i-- > 0;) {

@@ -7,7 +7,7 @@
 
 #include "ddtool/base/random.hpp"
 #include "sim/wheel_odometry.hpp"
-#include "study/compare/method.hpp"
+#include "study/compare/contestant.hpp"
 
 namespace ddtool::compare {
 
@@ -19,9 +19,9 @@ namespace ddtool::compare {
 /// are unknown and constant. Both are joined by a Rauch-Tung-Striebel smoother over (x, y, theta, scale, bias),
 /// linearised at its own estimates (Rauch, Tung, Striebel 1965, "Maximum likelihood estimates of linear dynamic
 /// systems").
-class KnownMapMethod : public Method {
+class KnownMapEstimator : public Estimator {
 public:
-    KnownMapMethod(const sim::OdometrySettings& odometry, std::uint64_t seed);
+    KnownMapEstimator(const sim::OdometrySettings& odometry, std::uint64_t seed);
     /// Throws Error for a frame without truth or Fisher information.
     void process(const SensorFrame& frame) override;
     Trajectory trajectory() override;

@@ -165,7 +165,7 @@ std::vector<NamedTable> evaluation_tables(const dataset::Dataset& data, std::spa
     return tables;
 }
 
-Json report_json(const dataset::Dataset& data, std::span<const Evaluation> evaluations, const Task& task) {
+Json evaluation_json(const dataset::Dataset& data, std::span<const Evaluation> evaluations, const Task& task) {
     return {{"label", dataset::label_rule_names[index_of(task.label)]},
             {"split", dataset::split_names[index_of(task.split)]},
             {"part", dataset::part_names[index_of(task.part)]},

@@ -36,6 +36,6 @@ std::vector<NamedTable> evaluation_tables(const dataset::Dataset& data, std::spa
                                           const Task& task);
 
 /// Everything for machines.
-Json report_json(const dataset::Dataset& data, std::span<const Evaluation> evaluations, const Task& task);
+Json evaluation_json(const dataset::Dataset& data, std::span<const Evaluation> evaluations, const Task& task);
 
 }  // namespace ddtool::detection

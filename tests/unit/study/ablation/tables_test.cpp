@@ -1,4 +1,4 @@
-#include "study/ablation/report.hpp"
+#include "study/ablation/tables.hpp"
 
 #include <gmock/gmock.h>
 
@@ -10,9 +10,9 @@
 namespace ddtool::ablation {
 namespace {
 
-class ReportTest : public ::testing::Test {
+class TablesTest : public ::testing::Test {
 protected:
-    ReportTest() {
+    TablesTest() {
         Json json = default_plan_json();
         merge_settings(
             json,
@@ -33,7 +33,7 @@ protected:
     Plan plan_;
 };
 
-TEST_F(ReportTest, ARowThatFailsSaysSoAndStopsNoOther) {
+TEST_F(TablesTest, ARowThatFailsSaysSoAndStopsNoOther) {
     const Json rows = accuracy_table(plan_, run_rows(plan_, store_)).json();
     EXPECT_EQ(rows[0].at("note"), "no such network");
     EXPECT_EQ(rows[0].at("seeds"), 0);
@@ -44,7 +44,7 @@ TEST_F(ReportTest, ARowThatFailsSaysSoAndStopsNoOther) {
     EXPECT_EQ(rows[1].at("note"), "");
 }
 
-TEST_F(ReportTest, TimesWhatTheMachineCanRun) {
+TEST_F(TablesTest, TimesWhatTheMachineCanRun) {
     const auto results = run_rows(plan_, store_);
     const Json rows = timing_table(plan_, run_timings(plan_, results, store_.data(), engine_)).json();
     ASSERT_EQ(rows.size(), 3U);
@@ -55,9 +55,17 @@ TEST_F(ReportTest, TimesWhatTheMachineCanRun) {
     EXPECT_EQ(rows[2].at("note"), "the row has no model");
 }
 
-TEST_F(ReportTest, AStopEndsItAll) {
+TEST_F(TablesTest, WhatIsThereIsNotTrainedAgain) {
+    const auto first = run_rows(plan_, store_);
+    EXPECT_EQ(engine_.trainings, 4U) << "two rows, two seeds";
+    const auto again = run_rows(plan_, store_);
+    EXPECT_EQ(engine_.trainings, 6U) << "the broken row is tried again";
+    EXPECT_EQ(accuracy_table(plan_, first).csv(), accuracy_table(plan_, again).csv());
+}
+
+TEST_F(TablesTest, AStopEndsItAll) {
     engine_.stop = true;
-    EXPECT_THROW((void)run_rows(plan_, store_), TrainingStopped);
+    EXPECT_THROW((void)run_rows(plan_, store_), jobs::Stopped);
 }
 
 }  // namespace

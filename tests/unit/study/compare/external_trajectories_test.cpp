@@ -11,7 +11,7 @@ namespace {
 
 using ddtool::test::TemporaryFolder;
 
-class ExternalMethodTest : public ::testing::Test {
+class ExternalTrajectoriesTest : public ::testing::Test {
 protected:
     void SetUp() override {
         settings_["methods"].push_back(
@@ -25,7 +25,7 @@ protected:
     /// What our filter did, as if another program had: by the files of a run without the peer.
     void copy_filter_runs(std::size_t seeds) const {
         for (const Cell& cell : cells_of(experiment_from_json(settings_))) {
-            if (cell.method == 1 && cell.seed < seeds) {
+            if (cell.contestant == 1 && cell.seed < seeds) {
                 write_tum(folder_ / ("peer-tiny-" + std::to_string(cell.seed + 1) + ".tum"),
                           ResultStore(folder_ / "out").estimate(cell));
             }
@@ -36,7 +36,7 @@ protected:
     Json settings_ = test::tiny_settings(ddtool::test::write_tiny_world(folder_ / "tiny.json"));
 };
 
-TEST_F(ExternalMethodTest, ScoresAsTheSameTrajectoryOfOurOwn) {
+TEST_F(ExternalTrajectoriesTest, ScoresAsTheSameTrajectoryOfOurOwn) {
     EXPECT_EQ(main_summary(summaries(), 0, 2)->failed, 3U);
     copy_filter_runs(3);
     const std::vector<Summary> after = summaries();
@@ -46,7 +46,7 @@ TEST_F(ExternalMethodTest, ScoresAsTheSameTrajectoryOfOurOwn) {
     }
 }
 
-TEST_F(ExternalMethodTest, IsScoredAnewWhenItsFilesChange) {
+TEST_F(ExternalTrajectoriesTest, IsScoredAnewWhenItsFilesChange) {
     test::run_in(folder_ / "out", settings_);
     copy_filter_runs(1);
     EXPECT_EQ(test::run_in(folder_ / "out", settings_).computed, 3U);  // two are still missing
