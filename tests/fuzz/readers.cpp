@@ -21,7 +21,7 @@
 #include "sim/world_catalogue.hpp"
 #include "study/ablation/plan.hpp"
 #include "study/compare/experiment.hpp"
-#include "train/torch/training_state.hpp"
+#include "train/torch/checkpoint.hpp"
 #include "train/train_settings.hpp"
 
 namespace ddtool::fuzz {

@@ -14,7 +14,7 @@
 #include "run/snapshot_file.hpp"
 #include "swarm_dataset.hpp"
 #include "system/atomic_file.hpp"
-#include "train/torch/training_state.hpp"
+#include "train/torch/checkpoint.hpp"
 
 namespace ddtool::fuzz {
 namespace {

@@ -1,4 +1,4 @@
-#include "train/torch/encoder_layer.hpp"
+#include "train/torch/ddmodel.hpp"
 
 #include <gmock/gmock.h>
 

@@ -2,8 +2,8 @@
 
 #include "ddtool/network/load_model.hpp"
 #include "temporary_folder.hpp"
-#include "train/torch/output_values.hpp"
-#include "train/torch/plain_weights.hpp"
+#include "train/torch/losses.hpp"
+#include "train/torch/exported_model.hpp"
 #include "used_network.hpp"
 
 namespace ddtool::inference {

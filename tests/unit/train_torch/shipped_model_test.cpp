@@ -5,7 +5,7 @@
 #include "ddtool/network/load_model.hpp"
 #include "ddtool/network/particle_renderer.hpp"
 #include "swarms.hpp"
-#include "train/torch/torch_script.hpp"
+#include "train/torch/exported_model.hpp"
 
 namespace ddtool::inference {
 namespace {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "dataset/grouping.hpp"
-#include "scores/ranks.hpp"
+#include "scores/rank_statistics.hpp"
 #include "swarm/spread.hpp"
 
 namespace ddtool::dataset {

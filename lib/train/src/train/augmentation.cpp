@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "train/shuffle.hpp"
+#include "train/draws.hpp"
 
 namespace ddtool::learning {
 namespace {

@@ -13,7 +13,7 @@
 #include "ddtool/base/error.hpp"
 #include "ddtool/network/particle_renderer.hpp"
 #include "train/augmentation.hpp"
-#include "train/random_purpose.hpp"
+#include "train/draws.hpp"
 
 namespace ddtool::learning {
 namespace {

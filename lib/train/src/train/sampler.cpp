@@ -5,8 +5,7 @@
 #include <string>
 
 #include "ddtool/base/error.hpp"
-#include "train/random_purpose.hpp"
-#include "train/shuffle.hpp"
+#include "train/draws.hpp"
 
 namespace ddtool::learning {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "known_dataset.hpp"
-#include "study/judge/groups.hpp"
+#include "study/judge/samples.hpp"
 #include "study/judge/mistakes.hpp"
 #include "swarm/spread.hpp"
 

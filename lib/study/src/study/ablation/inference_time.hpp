@@ -3,7 +3,7 @@
 #include <span>
 
 #include "ddtool/network/degree_model.hpp"
-#include "study/judge/swarm_scorer.hpp"
+#include "study/judge/detector.hpp"
 
 namespace ddtool::ablation {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "study/judge/scores.hpp"
+#include "study/judge/samples.hpp"
 
 namespace ddtool::detection {
 namespace {

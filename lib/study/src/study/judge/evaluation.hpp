@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "scores/calibration.hpp"
-#include "study/judge/labelled_samples.hpp"
-#include "study/judge/performance.hpp"
+#include "study/judge/samples.hpp"
+#include "study/judge/detector.hpp"
 #include "study/judge/physical_agreement.hpp"
 
 namespace ddtool::detection {

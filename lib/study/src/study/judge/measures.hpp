@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "dataset/labels.hpp"
-#include "study/judge/swarm_scorer.hpp"
+#include "study/judge/detector.hpp"
 
 namespace ddtool::detection {
 

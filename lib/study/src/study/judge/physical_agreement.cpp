@@ -3,7 +3,7 @@
 #include <cmath>
 #include <map>
 
-#include "scores/ranks.hpp"
+#include "scores/rank_statistics.hpp"
 
 namespace ddtool::detection {
 namespace {

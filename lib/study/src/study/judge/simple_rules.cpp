@@ -8,10 +8,9 @@
 
 #include "dataset/build_settings.hpp"
 #include "scores/decision_threshold.hpp"
-#include "study/judge/labelled_samples.hpp"
+#include "study/judge/samples.hpp"
 #include "study/judge/logistic_regression.hpp"
 #include "study/judge/measures.hpp"
-#include "study/judge/scores.hpp"
 
 namespace ddtool::detection {
 namespace {

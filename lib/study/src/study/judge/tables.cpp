@@ -5,7 +5,7 @@
 #include <set>
 
 #include "scores/statistics.hpp"
-#include "study/judge/groups.hpp"
+#include "study/judge/samples.hpp"
 
 namespace ddtool::detection {
 namespace {

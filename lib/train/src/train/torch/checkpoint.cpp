@@ -1,7 +1,7 @@
 #include "train/torch/checkpoint.hpp"
 
 #include <ATen/CPUGeneratorImpl.h>
-
+#include <algorithm>
 #include <sstream>
 
 #include "ddtool/base/error.hpp"
@@ -32,6 +32,20 @@ void write_archive(const std::filesystem::path& path, torch::serialize::OutputAr
 }
 
 }  // namespace
+
+const learning::EpochRecord* best_epoch(const TrainingState& state) {
+    const auto best = std::min_element(
+        state.history.begin(), state.history.end(),
+        [](const auto& first, const auto& second) { return first.validation_loss < second.validation_loss; });
+    return best == state.history.end() ? nullptr : &*best;
+}
+
+bool finished(const TrainingState& state) {
+    const learning::EpochRecord* const best = best_epoch(state);
+    const std::size_t patience = state.settings.patience_epochs;
+    const bool stuck = patience > 0 && best != nullptr && state.epoch - best->epoch >= patience;
+    return stuck || state.epoch >= state.settings.epochs;
+}
 
 void write_checkpoint(const std::filesystem::path& path, const models::Network& network,
                       const native::ModelDescription& description) {

@@ -3,10 +3,9 @@
 #include "ddtool/base/error.hpp"
 #include "system/log.hpp"
 #include "train/process_group.hpp"
-#include "train/torch/output_values.hpp"
-#include "train/torch/plain_weights.hpp"
+#include "train/torch/losses.hpp"
+#include "train/torch/exported_model.hpp"
 #include "train/torch/torch_model.hpp"
-#include "train/torch/torch_script.hpp"
 #include "train/torch/trainer.hpp"
 
 namespace ddtool {

@@ -10,9 +10,8 @@
 #include "train/batch_loader.hpp"
 #include "train/engine.hpp"
 #include "train/torch/checkpoint.hpp"
-#include "train/torch/class_weights.hpp"
-#include "train/torch/ranks.hpp"
-#include "train/torch/training_state.hpp"
+#include "train/torch/losses.hpp"
+#include "train/torch/communicator.hpp"
 
 namespace ddtool::training {
 

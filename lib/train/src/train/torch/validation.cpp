@@ -1,7 +1,7 @@
 #include "train/torch/validation.hpp"
 
 #include "scores/confusion.hpp"
-#include "scores/ranks.hpp"
+#include "scores/rank_statistics.hpp"
 #include "train/batch_loader.hpp"
 #include "train/torch/batch_tensors.hpp"
 #include "train/torch/losses.hpp"

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "dataset/dataset.hpp"
-#include "train/torch/class_weights.hpp"
+#include "train/torch/losses.hpp"
 #include "train/torch/network.hpp"
 #include "train/train_settings.hpp"
 

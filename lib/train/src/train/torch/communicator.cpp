@@ -1,4 +1,4 @@
-#include "train/torch/ranks.hpp"
+#include "train/torch/communicator.hpp"
 
 #include <torch/csrc/autograd/custom_function.h>
 #include <torch/csrc/distributed/c10d/PrefixStore.hpp>

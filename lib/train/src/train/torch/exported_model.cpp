@@ -1,15 +1,14 @@
-#include "train/torch/torch_script.hpp"
+#include "train/torch/exported_model.hpp"
 
 #include <caffe2/serialize/inline_container.h>
+#include <sstream>
 #include <torch/csrc/jit/frontend/tracer.h>
 #include <torch/script.h>
-
-#include <sstream>
 
 #include "ddtool/base/error.hpp"
 #include "system/atomic_file.hpp"
 #include "system/checksums.hpp"
-#include "train/torch/output_values.hpp"
+#include "train/torch/losses.hpp"
 #include "train/torch/torch_errors.hpp"
 #include "train/torch/torch_model.hpp"
 
@@ -125,6 +124,21 @@ std::unique_ptr<native::DegreeModel> load_torch_script(const std::filesystem::pa
             return guarded([&] { return class_values(module.forward({images}).toTensor()); });
         },
         options);
+}
+
+native::PlainWeights plain_weights(const models::Network& network, const native::ModelDescription& about) {
+    native::PlainWeights weights{Json(about).dump(), {}};
+    const auto add = [&](const auto& items) {
+        for (const auto& item : items) {
+            const torch::Tensor values = item.value().detach().to(torch::kCPU, torch::kFloat32).contiguous();
+            weights.tensors.push_back({item.key(),
+                                       values.sizes().vec(),
+                                       {values.data_ptr<float>(), values.data_ptr<float>() + values.numel()}});
+        }
+    };
+    add(network.named_parameters());
+    add(network.named_buffers());
+    return weights;
 }
 
 }  // namespace ddtool::inference

@@ -3,6 +3,8 @@
 #include <filesystem>
 #include <memory>
 
+#include "ddtool/network/model_description.hpp"
+#include "network/safetensors.hpp"
 #include "train/engine.hpp"
 #include "train/torch/network.hpp"
 
@@ -23,5 +25,8 @@ bool is_exported_model(const std::filesystem::path& path);
 /// TorchScript is a program: load only files you trust.
 std::unique_ptr<native::DegreeModel> load_torch_script(const std::filesystem::path& path,
                                                        const learning::RunOptions& options);
+
+/// The tensors of a network under their dotted names, batch statistics among them.
+native::PlainWeights plain_weights(const models::Network& network, const native::ModelDescription& about);
 
 }  // namespace ddtool::inference

@@ -1,9 +1,9 @@
-#include "study/judge/performance.hpp"
+#include "study/judge/detector.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "scores/ranks.hpp"
+#include "scores/rank_statistics.hpp"
 
 namespace ddtool::detection {
 

@@ -1,10 +1,28 @@
-#include "study/judge/scores.hpp"
+#include "study/judge/samples.hpp"
 
 #include <algorithm>
 
 #include "system/progress.hpp"
 
 namespace ddtool::detection {
+
+LabelledSamples labelled_samples(const dataset::Dataset& data, dataset::LabelRule label, dataset::Split split,
+                                        dataset::Part part) {
+    LabelledSamples samples{data.part(label, split, part), {}};
+    for (const std::size_t index : samples.indices) {
+        samples.degenerate.push_back(data.sample(index).label_of(label) == dataset::Label::degenerate);
+    }
+    return samples;
+}
+
+Groups grouped(const dataset::Dataset& data, const LabelledSamples& samples, const dataset::Grouping& grouping) {
+    Groups groups;
+    for (std::size_t place = 0; place < samples.indices.size(); ++place) {
+        const dataset::SampleRecord& sample = data.sample(samples.indices[place]);
+        groups[grouping.key(sample, data.run_of(sample))].push_back(place);
+    }
+    return groups;
+}
 
 std::vector<double> scores_of(const dataset::Dataset& data, const std::vector<std::size_t>& samples,
                               const SwarmScorer& scorer, const std::string& what) {

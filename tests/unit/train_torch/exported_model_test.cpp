@@ -1,4 +1,4 @@
-#include "train/torch/torch_script.hpp"
+#include "train/torch/exported_model.hpp"
 
 #include <gmock/gmock.h>
 #include <torch/script.h>
@@ -9,7 +9,7 @@
 #include "system/atomic_file.hpp"
 #include "temporary_folder.hpp"
 #include "thrown_text.hpp"
-#include "train/torch/output_values.hpp"
+#include "train/torch/losses.hpp"
 #include "used_network.hpp"
 
 namespace ddtool::inference {

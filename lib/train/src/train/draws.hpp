@@ -2,12 +2,19 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
 #include "ddtool/base/random.hpp"
 
 namespace ddtool::learning {
+
+/// Second key of a training's random streams, so that one purpose's draws do not shift another's.
+enum RandomPurpose : std::uint64_t {
+    order_of_samples = 1,  ///< further key: epoch
+    augmentation = 2,      ///< further keys: epoch, sample
+};
 
 /// Brings `count` of the values, drawn evenly and without repetition, to the front, in random order (Durstenfeld 1964,
 /// algorithm 235). std::shuffle gives other orders with other standard libraries.

@@ -1,4 +1,4 @@
-#include "scores/ranks.hpp"
+#include "scores/rank_statistics.hpp"
 
 #include <algorithm>
 #include <array>
