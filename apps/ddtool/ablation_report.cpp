@@ -27,7 +27,7 @@ std::ptrdiff_t failures(const std::vector<Result>& results) {
 
 }  // namespace
 
-ExitCode run_ablation(const learning::Engine& engine, const std::string& plan_file, const std::filesystem::path& data,
+ExitCode run_ablation(const train::Engine& engine, const std::string& plan_file, const std::filesystem::path& data,
                       const std::filesystem::path& folder, const ablation::Machine& machine, bool as_json) {
     const ablation::Plan plan = read_plan(plan_file);
     const ablation::ModelStore store(engine, data, folder / "models", machine);

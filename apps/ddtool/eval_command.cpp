@@ -22,8 +22,8 @@
 namespace ddtool {
 namespace {
 
-using detection::Evaluation;
-using detection::Task;
+using judge::Evaluation;
+using judge::Task;
 
 Task task_from(const Json& settings) {
     const auto place = [&](const std::string& key, std::span<const char* const> names) {
@@ -34,8 +34,8 @@ Task task_from(const Json& settings) {
             .part = static_cast<dataset::Part>(1 + place("part", std::span(dataset::part_names).subspan(1)))};
 }
 
-std::vector<detection::Detector> rules_fitted_on(const std::string& folder, const Task& task) {
-    std::vector<detection::Detector> rules = detection::fitted_rules(dataset::Dataset(folder), task.label, task.split);
+std::vector<judge::Detector> rules_fitted_on(const std::string& folder, const Task& task) {
+    std::vector<judge::Detector> rules = judge::fitted_rules(dataset::Dataset(folder), task.label, task.split);
     if (std::isnan(rules.front().threshold)) {
         log_warning(folder + ": no sample of one of the classes to fit rules on: they have scores, but decide nothing");
     }
@@ -43,9 +43,9 @@ std::vector<detection::Detector> rules_fitted_on(const std::string& folder, cons
 }
 
 /// Models of one name and seed get the names of their files behind.
-void tell_apart(std::vector<detection::Detector>& models, const std::vector<std::string>& files) {
+void tell_apart(std::vector<judge::Detector>& models, const std::vector<std::string>& files) {
     std::map<std::pair<std::string, std::optional<std::uint64_t>>, std::size_t> count;
-    for (const detection::Detector& model : models) {
+    for (const judge::Detector& model : models) {
         ++count[{model.name, model.seed}];
     }
     for (std::size_t index = 0; index < models.size(); ++index) {
@@ -55,14 +55,14 @@ void tell_apart(std::vector<detection::Detector>& models, const std::vector<std:
     }
 }
 
-std::vector<detection::Detector> load_models(const std::vector<std::string>& files, const Json& options) {
-    std::vector<detection::Detector> models;
+std::vector<judge::Detector> load_models(const std::vector<std::string>& files, const Json& options) {
+    std::vector<judge::Detector> models;
     models.reserve(files.size());
     for (const std::string& file : files) {
-        models.push_back(detection::detector_of(
-            learning::engine().load(file, {.device = options.at("device"),
-                                           .precision = options.at("precision"),
-                                           .threads = options.at("threads").get<std::size_t>()})));
+        models.push_back(
+            judge::detector_of(train::engine().load(file, {.device = options.at("device"),
+                                                           .precision = options.at("precision"),
+                                                           .threads = options.at("threads").get<std::size_t>()})));
     }
     tell_apart(models, files);
     return models;
@@ -70,7 +70,7 @@ std::vector<detection::Detector> load_models(const std::vector<std::string>& fil
 
 void print(const dataset::Dataset& data, const std::vector<Evaluation>& evaluations, const Task& task) {
     std::string text;
-    for (const detection::NamedTable& each : detection::evaluation_tables(data, evaluations, task)) {
+    for (const judge::NamedTable& each : judge::evaluation_tables(data, evaluations, task)) {
         text += (text.empty() ? "" : "\n") + each.table.text();
     }
     std::cout << text;
@@ -80,7 +80,7 @@ html::Page page_of(const std::filesystem::path& folder, const std::string& data_
                    const std::vector<Evaluation>& evaluations, const Task& task) {
     html::Page page("ddtool eval", html::name_of(folder));
     page.text("Data set " + data_name + ", " + name_of(task) + ".");
-    detection::add_evaluations(page, folder, data, evaluations, task);
+    judge::add_evaluations(page, folder, data, evaluations, task);
     return page;
 }
 
@@ -115,7 +115,7 @@ void EvalCommand::add_options(CLI::App& app) {
 }
 
 Json EvalCommand::default_settings() const {
-    const learning::RunOptions run;
+    const train::RunOptions run;
     return {{"label", "fisher"},
             {"split", "held_out"},
             {"part", "test"},
@@ -126,12 +126,12 @@ ExitCode EvalCommand::ablate(const Json& options) const {
     if (out_.empty()) {
         throw UsageError("--ablation: expected --out, a folder for what it trains");
     }
-    return run_ablation(learning::engine(), ablation_, data_, out_,
+    return run_ablation(train::engine(), ablation_, data_, out_,
                         {.device = options.at("device"), .threads = options.at("threads")}, as_json_);
 }
 
 void EvalCommand::print_label_noise(const dataset::Dataset& data) const {
-    const Table table = detection::label_noise_table(data);
+    const Table table = judge::label_noise_table(data);
     if (table.empty()) {
         throw Error(data_ + ": no two of its runs differ in their seeds alone, as in configs/dataset/label-noise.json");
     }
@@ -143,30 +143,30 @@ ExitCode EvalCommand::run(const Json& settings) {
         return ablate(settings.at("run"));
     }
     const Task task = task_from(settings);
-    std::vector<detection::Detector> detectors = load_models(models_, settings.at("run"));
+    std::vector<judge::Detector> detectors = load_models(models_, settings.at("run"));
     const dataset::Dataset data(data_);
     if (label_noise_) {
         print_label_noise(data);
         return ExitCode::done;
     }
-    for (detection::Detector& rule : rules_fitted_on(fit_.empty() ? data_ : fit_, task)) {
+    for (judge::Detector& rule : rules_fitted_on(fit_.empty() ? data_ : fit_, task)) {
         detectors.push_back(std::move(rule));
     }
     std::vector<Evaluation> evaluations;
     evaluations.reserve(detectors.size());
-    for (const detection::Detector& detector : detectors) {
-        evaluations.push_back(detection::evaluate(data, detector, task));
+    for (const judge::Detector& detector : detectors) {
+        evaluations.push_back(judge::evaluate(data, detector, task));
     }
     const bool tested = !evaluations.front().samples.indices.empty();
     if (!tested) {
         log_warning(data_ + ": no samples for " + name_of(task) + ": only their agreement with the physics is known");
     }
-    const std::string json = detection::evaluation_json(data, evaluations, task).dump(2) + "\n";
+    const std::string json = judge::evaluation_json(data, evaluations, task).dump(2) + "\n";
     if (!out_.empty()) {
         write_file(made_folder(out_) / "eval.json", json);
     }
     if (!out_.empty() && tested) {
-        detection::draw_evaluations(out_, data, evaluations, detection::detailed(evaluations).front());
+        judge::draw_evaluations(out_, data, evaluations, judge::detailed(evaluations).front());
         log_info("pictures in " + out_);
     }
     const bool has_page = out_.empty() || html::write_page(std::filesystem::path(out_) / "report.html", [&] {

@@ -20,12 +20,12 @@ void ExportCommand::add_options(CLI::App& app) {
 }
 
 ExitCode ExportCommand::run(const Json&) {
-    learning::engine().export_model(checkpoint_, out_);
+    train::engine().export_model(checkpoint_, out_);
     log_info("wrote " + out_);
     if (as_json_) {
         const Json report{{"command", "export"},
                           {"checkpoint", checkpoint_},
-                          {"files", {{"torch_script", out_}, {"plain_weights", learning::plain_weights_beside(out_)}}}};
+                          {"files", {{"torch_script", out_}, {"plain_weights", train::plain_weights_beside(out_)}}}};
         std::cout << report.dump(2) << '\n';
     }
     return ExitCode::done;

@@ -46,7 +46,7 @@ ExitCode run_reporting_failure(int argc, char** argv) {
         reserve_standard_descriptors();
         explain_bus_errors();
 #ifdef DDTOOL_WITH_TORCH
-        learning::set_engine_provider(provide_engine);
+        train::set_engine_provider(provide_engine);
 #endif
         const ExitCode code = run_program(all_commands(), argc, argv);
         flush_results();

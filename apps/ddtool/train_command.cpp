@@ -37,14 +37,14 @@ void TrainCommand::add_options(CLI::App& app) {
 }
 
 Json TrainCommand::default_settings() const {
-    const learning::TrainSettings defaults;  // a temporary makes GCC 12 warn of one that is not initialised
+    const train::TrainSettings defaults;  // a temporary makes GCC 12 warn of one that is not initialised
     return defaults;
 }
 
 ExitCode TrainCommand::run(const Json& settings) {
-    const learning::Engine& engine = learning::engine();
-    request_.settings = settings.get<learning::TrainSettings>();
-    const learning::TrainResult result = engine.train(request_);
+    const train::Engine& engine = train::engine();
+    request_.settings = settings.get<train::TrainSettings>();
+    const train::TrainResult result = engine.train(request_);
     if (!result.leads) {
         return ExitCode::done;
     }

@@ -18,7 +18,7 @@ protected:
     ExitCode run(const Json& settings) override;
 
 private:
-    learning::TrainRequest request_;
+    train::TrainRequest request_;
     bool as_json_ = false;
 };
 

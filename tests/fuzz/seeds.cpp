@@ -138,7 +138,7 @@ void write_networks(const fs::path& folder) {
 }
 
 void write_checkpoints(const fs::path& folder) {
-    training::TrainingState state;
+    train_torch::TrainingState state;
     state.history.resize(2);
     write_seed(folder, "state", Json(state).dump());
     write_seed(folder, "description", test::drawn_dd_model("ddmodel-lite", 64).about);

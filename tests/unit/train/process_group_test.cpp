@@ -7,7 +7,7 @@
 
 #include "thrown_text.hpp"
 
-namespace ddtool::learning {
+namespace ddtool::train {
 namespace {
 
 using Variables = std::map<std::string, std::string>;
@@ -158,4 +158,4 @@ TEST(ProcessEnvironment, TellsEmptyFromSetNot) {
 }
 
 }  // namespace
-}  // namespace ddtool::learning
+}  // namespace ddtool::train

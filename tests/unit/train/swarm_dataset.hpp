@@ -10,7 +10,7 @@
 #include "drawn_swarm.hpp"
 #include "temporary_folder.hpp"
 
-namespace ddtool::learning::test {
+namespace ddtool::train::test {
 
 struct SwarmDatasetOptions {
     std::size_t unlabelled = SIZE_MAX;  ///< the sample that has no label
@@ -46,4 +46,4 @@ private:
     std::optional<dataset::Dataset> data_;
 };
 
-}  // namespace ddtool::learning::test
+}  // namespace ddtool::train::test

@@ -6,7 +6,7 @@
 #include "temporary_folder.hpp"
 #include "thrown_text.hpp"
 
-namespace ddtool::training {
+namespace ddtool::train_torch {
 namespace {
 
 constexpr std::size_t size_px = 64;
@@ -23,7 +23,7 @@ native::ModelDescription small_lite() {
 
 class CheckpointTest : public testing::Test {
 protected:
-    std::shared_ptr<models::Network> network_ = models::make_network("ddmodel-lite", size_px);
+    std::shared_ptr<Network> network_ = make_network("ddmodel-lite", size_px);
     test::TemporaryFolder folder_;
     std::filesystem::path path_ = folder_ / "best.pt";
 };
@@ -62,4 +62,4 @@ TEST_F(CheckpointTest, ACutFileIsNamed) {
 }
 
 }  // namespace
-}  // namespace ddtool::training
+}  // namespace ddtool::train_torch

@@ -12,7 +12,7 @@
 #include "train/torch/losses.hpp"
 #include "used_network.hpp"
 
-namespace ddtool::inference {
+namespace ddtool::train_torch {
 namespace {
 
 void write_floats(const std::filesystem::path& path, const torch::Tensor& values) {
@@ -31,7 +31,7 @@ protected:
         return output_values(about_.loss, network_->forward(images) / about_.temperature);
     }
 
-    std::shared_ptr<models::Network> network_ = used_network(GetParam());
+    std::shared_ptr<Network> network_ = used_network(GetParam());
     native::ModelDescription about_;
     test::TemporaryFolder folder_;
     std::filesystem::path path_ = folder_ / "model.pt";
@@ -82,7 +82,7 @@ TEST_P(ExportedModel, OpensInPythonAndAgrees) {
     EXPECT_EQ(std::system(command.c_str()), 0);
 }
 
-INSTANTIATE_TEST_SUITE_P(Networks, ExportedModel, testing::ValuesIn(models::network_names()), [](const auto& info) {
+INSTANTIATE_TEST_SUITE_P(Networks, ExportedModel, testing::ValuesIn(network_names()), [](const auto& info) {
     std::string name = info.param;
     std::erase(name, '-');
     return name;
@@ -118,4 +118,4 @@ TEST(LoadTorchScript, NamesTheFileInOneLineWhenItsCodeFails) {
 }
 
 }  // namespace
-}  // namespace ddtool::inference
+}  // namespace ddtool::train_torch

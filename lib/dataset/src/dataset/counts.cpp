@@ -64,9 +64,8 @@ Counts counts_of(std::span<const SampleRecord> candidates, const BalanceSettings
         of_rule.candidates = by_class(candidates, rule, [](const SampleRecord&) { return true; });
         for (const Split split : all_splits) {
             for (const Part part : used_parts) {
-                of_rule.of(split, part) = by_class(candidates, rule, [&](const SampleRecord& record) {
-                    return record.part_of(rule, split) == part;
-                });
+                of_rule.of(split, part) = by_class(
+                    candidates, rule, [&](const SampleRecord& record) { return record.part_of(rule, split) == part; });
             }
         }
     }

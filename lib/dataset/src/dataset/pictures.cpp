@@ -48,7 +48,7 @@ std::string family_title(const std::string& family, const FamilyValues& values) 
 }
 
 void draw_families(const std::filesystem::path& file, const std::map<std::string, FamilyValues>& families,
-          const std::string& x_label, double threshold) {
+                   const std::string& x_label, double threshold) {
     const std::size_t rows = std::max<std::size_t>(1, (families.size() + histogram_columns - 1) / histogram_columns);
     plot::Figure figure({.width_px = 1400.0,
                          .height_px = 260.0 * static_cast<double>(rows),
@@ -116,11 +116,11 @@ void draw_histograms(const std::filesystem::path& folder, const Dataset& data) {
     const LabelSettings labels = assembly_from_json(data.manifest().settings).labels;
     made_folder(folder);
     draw_families(folder / "dispersion.png",
-         by_family(data, LabelRule::dispersion,
-                   [&](const SampleRecord& sample) { return labelled_dispersion(sample.dispersion, labels); }),
-         "log10 R of " + labels.dispersion_weight, labels.dispersion_threshold);
-    draw_families(folder / "fisher.png", by_family(data, LabelRule::fisher, physical_ratio), "log10 (weak sd / odometry sd)",
-         labels.fisher_ratio);
+                  by_family(data, LabelRule::dispersion,
+                            [&](const SampleRecord& sample) { return labelled_dispersion(sample.dispersion, labels); }),
+                  "log10 R of " + labels.dispersion_weight, labels.dispersion_threshold);
+    draw_families(folder / "fisher.png", by_family(data, LabelRule::fisher, physical_ratio),
+                  "log10 (weak sd / odometry sd)", labels.fisher_ratio);
 }
 
 std::string montage_name(LabelRule rule, Swarm swarm) {

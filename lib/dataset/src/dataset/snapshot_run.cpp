@@ -29,9 +29,7 @@ constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 std::uint64_t key_of(const PlannedRun& run) { return Fingerprint().add(run.entry.id).value(); }
 
-SnapshotThinning thinning_of(const PlannedRun& run) {
-    return {run.thinning, key_of(run)};
-}
+SnapshotThinning thinning_of(const PlannedRun& run) { return {run.thinning, key_of(run)}; }
 
 Sample sample_of(const ParticleSnapshot& snapshot) {
     Sample sample;
@@ -58,8 +56,7 @@ double median_range_m(const LaserScan& scan) {
 class Recorder {
 public:
     Recorder(const PlannedRun& run, const FilterSettings& filter)
-        : thinning_(thinning_of(run)),
-          filter_(make_filter(filter, DetectorTable(), threads_)) {}
+        : thinning_(thinning_of(run)), filter_(make_filter(filter, DetectorTable(), threads_)) {}
 
     void process(const SensorFrame& frame, const Knowledge& knowledge) {
         filter_->on_snapshot([&](const ParticleSnapshot& snapshot, const Degeneracy& /*degeneracy*/) {

@@ -25,9 +25,9 @@ template <typename Value>
 struct Job {
     std::string id;     ///< of its key: jobs of the same id have the same result, which is made once
     std::string title;  ///< for messages
-    std::function<std::optional<Value>()> find;           ///< the stored result; nullopt: it has to be made
+    std::function<std::optional<Value>()> find;                ///< the stored result; nullopt: it has to be made
     std::function<Value(const OnProgress& on_progress)> make;  ///< makes and stores it; throws what keeps it from that
-    std::function<std::string(const Value&)> note;        ///< in a few words what came of it
+    std::function<std::string(const Value&)> note;             ///< in a few words what came of it
 };
 
 template <typename Value>
@@ -52,8 +52,8 @@ struct Wording {
 struct AnyJob {
     std::string id;
     std::string title;
-    std::function<bool()> find;                                ///< whether the result is there
-    std::function<std::string(const OnProgress&)> make;        ///< gives the note
+    std::function<bool()> find;                          ///< whether the result is there
+    std::function<std::string(const OnProgress&)> make;  ///< gives the note
 };
 struct AnyOutcome {
     std::vector<std::size_t> first_equals;  ///< for each job the first of the same id, which alone was run

@@ -8,7 +8,7 @@
 
 #include "ddtool/base/random.hpp"
 
-namespace ddtool::learning {
+namespace ddtool::train {
 
 /// Second key of a training's random streams, so that one purpose's draws do not shift another's.
 enum RandomPurpose : std::uint64_t {
@@ -25,4 +25,4 @@ void shuffle_front(std::vector<Value>& values, std::size_t count, RandomStream& 
     }
 }
 
-}  // namespace ddtool::learning
+}  // namespace ddtool::train

@@ -21,7 +21,7 @@ protected:
 };
 
 TEST_F(ModelStoreTest, FindsWhatWasTrained) {
-    learning::TrainSettings settings;
+    train::TrainSettings settings;
     EXPECT_FALSE(store().find(settings));
     const TrainedModel first = store().make(settings);
     const auto again = store().find(settings);
@@ -37,7 +37,7 @@ TEST_F(ModelStoreTest, FindsWhatWasTrained) {
 }
 
 TEST_F(ModelStoreTest, AnEntryWithoutItsModelIsNone) {
-    const learning::TrainSettings settings;
+    const train::TrainSettings settings;
     std::filesystem::remove(store().make(settings).file);
     testing::internal::CaptureStderr();
     EXPECT_FALSE(store().find(settings));
@@ -45,7 +45,7 @@ TEST_F(ModelStoreTest, AnEntryWithoutItsModelIsNone) {
 }
 
 TEST_F(ModelStoreTest, GoesOnAfterAStop) {
-    const learning::TrainSettings settings;
+    const train::TrainSettings settings;
     engine_.stop = true;
     EXPECT_THROW((void)store().make(settings), jobs::Stopped);
     EXPECT_FALSE(store().find(settings));

@@ -25,7 +25,7 @@ Made made(std::size_t seeds, AteOf&& ate_of) {
     }
     for (const char* name : {"first", "second"}) {
         all.experiment.contestants.emplace_back(Json{{"name", name}, {"kind", "odometry"}}, Json::object(), "test",
-                                            DetectorTable());
+                                                DetectorTable());
     }
     for (std::size_t seed = 0; seed < seeds; ++seed) {
         all.experiment.seeds.push_back(seed + 1);

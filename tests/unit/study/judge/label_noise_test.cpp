@@ -10,7 +10,7 @@
 #include "ddtool/base/random.hpp"
 #include "temporary_folder.hpp"
 
-namespace ddtool::detection {
+namespace ddtool::judge {
 namespace {
 
 using dataset::Label;
@@ -104,4 +104,4 @@ TEST(LabelNoiseTable, HasBothRulesBySceneAndInAll) {
 }
 
 }  // namespace
-}  // namespace ddtool::detection
+}  // namespace ddtool::judge

@@ -7,7 +7,7 @@
 #include "known_dataset.hpp"
 #include "study/judge/simple_rules.hpp"
 
-namespace ddtool::detection {
+namespace ddtool::judge {
 namespace {
 
 using ddtool::test::KnownDataset;
@@ -63,4 +63,4 @@ TEST(Report, HasEveryDetectorInEveryPart) {
 }
 
 }  // namespace
-}  // namespace ddtool::detection
+}  // namespace ddtool::judge

@@ -30,7 +30,7 @@ TrainedModel model_from(const Json& json, const std::filesystem::path& file) {
 
 }  // namespace
 
-ModelStore::ModelStore(const learning::Engine& engine, std::filesystem::path data, std::filesystem::path folder,
+ModelStore::ModelStore(const train::Engine& engine, std::filesystem::path data, std::filesystem::path folder,
                        Machine machine)
     : engine_(engine),
       data_folder_(std::move(data)),
@@ -39,11 +39,11 @@ ModelStore::ModelStore(const learning::Engine& engine, std::filesystem::path dat
       machine_(std::move(machine)),
       data_id_(file_fingerprint(data_folder_ / dataset::manifest_name)) {}
 
-jobs::Key ModelStore::key_of(const learning::TrainSettings& settings) const {
+jobs::Key ModelStore::key_of(const train::TrainSettings& settings) const {
     return jobs::Key(Json{{"train", settings}, {"data", data_id_}});
 }
 
-std::optional<TrainedModel> ModelStore::find(const learning::TrainSettings& settings) const {
+std::optional<TrainedModel> ModelStore::find(const train::TrainSettings& settings) const {
     const jobs::Key key = key_of(settings);
     return models_.find(key, [&](const Json& json) {
         const std::filesystem::path file = models_.file(key, model_name);
@@ -54,39 +54,39 @@ std::optional<TrainedModel> ModelStore::find(const learning::TrainSettings& sett
     });
 }
 
-TrainedModel ModelStore::make(const learning::TrainSettings& settings) const {
+TrainedModel ModelStore::make(const train::TrainSettings& settings) const {
     const jobs::Key key = key_of(settings);
     const std::filesystem::path file = models_.file(key, model_name);
-    train(settings, made_folder(file.parent_path()), file);
+    run_training(settings, made_folder(file.parent_path()), file);
     const TrainedModel model = tested(settings, file);
     models_.save(key, json_of(model));
     return model;
 }
 
-void ModelStore::train(const learning::TrainSettings& settings, const std::filesystem::path& folder,
-                       const std::filesystem::path& model) const {
+void ModelStore::run_training(const train::TrainSettings& settings, const std::filesystem::path& folder,
+                              const std::filesystem::path& model) const {
     log_info("training " + settings.model + ", seed " + std::to_string(settings.seed) + ", in " + folder.string());
-    learning::TrainRequest request;
+    train::TrainRequest request;
     request.data = data_folder_;
     request.out = folder;
     request.settings = settings;
     request.device = machine_.device;
     request.threads = machine_.threads;
     request.resume = true;
-    const learning::TrainResult trained = engine_.train(request);
+    const train::TrainResult trained = engine_.train(request);
     if (trained.interrupted) {
         throw jobs::Stopped();
     }
     engine_.export_model(trained.best, model);
 }
 
-TrainedModel ModelStore::tested(const learning::TrainSettings& settings, const std::filesystem::path& file) const {
-    learning::RunOptions options;
+TrainedModel ModelStore::tested(const train::TrainSettings& settings, const std::filesystem::path& file) const {
+    train::RunOptions options;
     options.device = machine_.device;
     options.threads = machine_.threads;
-    const detection::Detector detector = detection::detector_of(engine_.load(file, options));
-    const detection::Task task{.label = learning::label_rule_of(settings), .split = learning::split_of(settings)};
-    const detection::Performance performance = detection::evaluate(data_, detector, task).performance;
+    const judge::Detector detector = judge::detector_of(engine_.load(file, options));
+    const judge::Task task{.label = train::label_rule_of(settings), .split = train::split_of(settings)};
+    const judge::Performance performance = judge::evaluate(data_, detector, task).performance;
     return {file, performance.confusion, performance.auc};
 }
 

@@ -28,25 +28,24 @@ struct Machine {
 /// (see jobs::Store), model.pt and what its training wrote.
 class ModelStore {
 public:
-    ModelStore(const learning::Engine& engine, std::filesystem::path data, std::filesystem::path folder,
-               Machine machine);
+    ModelStore(const train::Engine& engine, std::filesystem::path data, std::filesystem::path folder, Machine machine);
 
     /// All that decides the model that these settings give.
-    [[nodiscard]] jobs::Key key_of(const learning::TrainSettings& settings) const;
+    [[nodiscard]] jobs::Key key_of(const train::TrainSettings& settings) const;
     /// Nullopt for a network that has not been trained and tested, or of which a file is damaged, which a warning
     /// tells.
-    [[nodiscard]] std::optional<TrainedModel> find(const learning::TrainSettings& settings) const;
+    [[nodiscard]] std::optional<TrainedModel> find(const train::TrainSettings& settings) const;
     /// Trains, exports and tests the network; a training that was stopped goes on. Throws Error, and jobs::Stopped for
     /// a training that the user asked to stop.
-    [[nodiscard]] TrainedModel make(const learning::TrainSettings& settings) const;
+    [[nodiscard]] TrainedModel make(const train::TrainSettings& settings) const;
     [[nodiscard]] const dataset::Dataset& data() const { return data_; }
 
 private:
-    void train(const learning::TrainSettings& settings, const std::filesystem::path& folder,
-               const std::filesystem::path& model) const;
-    [[nodiscard]] TrainedModel tested(const learning::TrainSettings& settings, const std::filesystem::path& file) const;
+    void run_training(const train::TrainSettings& settings, const std::filesystem::path& folder,
+                      const std::filesystem::path& model) const;
+    [[nodiscard]] TrainedModel tested(const train::TrainSettings& settings, const std::filesystem::path& file) const;
 
-    const learning::Engine& engine_;
+    const train::Engine& engine_;
     std::filesystem::path data_folder_;
     dataset::Dataset data_;
     jobs::Store models_;

@@ -9,7 +9,7 @@ namespace {
 
 /// Every setting of a training but the seed.
 Json default_training() {
-    const learning::TrainSettings defaults;  // a temporary makes GCC 12 warn of one that is not initialised
+    const train::TrainSettings defaults;  // a temporary makes GCC 12 warn of one that is not initialised
     Json json = defaults;
     json.erase("seed");
     return json;
@@ -27,14 +27,14 @@ Row row_from(const Json& item, const Json& common, const std::string& where) {
     Json known{{"name", ""}, {"train", common}, {"paper", {{"accuracy", nullptr}, {"f1", nullptr}}}};
     merge_settings(known, item, where);
     known["train"]["seed"] = 0U;
-    Row row{known.at("name"), known.at("train").get<learning::TrainSettings>(),
+    Row row{known.at("name"), known.at("train").get<train::TrainSettings>(),
             figure(known.at("paper").at("accuracy"), where + ".paper.accuracy"),
             figure(known.at("paper").at("f1"), where + ".paper.f1")};
     if (row.name.empty()) {
         throw UsageError(where + ".name: expected a name");
     }
     try {
-        learning::expect_valid(row.settings);
+        train::expect_valid(row.settings);
     } catch (const UsageError& error) {
         throw UsageError(where + ".train." + error.what());
     }

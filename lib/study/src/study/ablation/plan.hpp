@@ -15,7 +15,7 @@ inline constexpr double not_printed = std::numeric_limits<double>::quiet_NaN();
 /// A row of the table: a training, and what the paper prints for it.
 struct Row {
     std::string name;
-    learning::TrainSettings settings;  ///< but for the seed
+    train::TrainSettings settings;  ///< but for the seed
     double paper_accuracy = not_printed;
     double paper_f1 = not_printed;
 };

@@ -22,7 +22,7 @@ std::vector<jobs::Job<TrainedModel>> trainings_of(const Plan& plan, const ModelS
     std::vector<jobs::Job<TrainedModel>> all;
     for (const Row& row : plan.rows) {
         for (const std::uint64_t seed : plan.seeds) {
-            learning::TrainSettings settings = row.settings;
+            train::TrainSettings settings = row.settings;
             settings.seed = seed;
             all.push_back({.id = store.key_of(settings).id(),
                            .title = row.name + " / seed " + std::to_string(seed),
@@ -34,11 +34,11 @@ std::vector<jobs::Job<TrainedModel>> trainings_of(const Plan& plan, const ModelS
     return all;
 }
 
-std::vector<detection::Particles> some_swarms(const dataset::Dataset& data, const learning::TrainSettings& settings,
-                                              std::size_t count) {
+std::vector<judge::Particles> some_swarms(const dataset::Dataset& data, const train::TrainSettings& settings,
+                                          std::size_t count) {
     const std::vector<std::size_t> test =
-        data.part(learning::label_rule_of(settings), learning::split_of(settings), dataset::Part::test);
-    std::vector<detection::Particles> swarms;
+        data.part(train::label_rule_of(settings), train::split_of(settings), dataset::Part::test);
+    std::vector<judge::Particles> swarms;
     for (std::size_t next = 0; next < std::min(count, test.size()); ++next) {
         swarms.push_back(data.particles(test[next * test.size() / std::min(count, test.size())]));
     }
@@ -46,7 +46,7 @@ std::vector<detection::Particles> some_swarms(const dataset::Dataset& data, cons
 }
 
 TimingResult run_timing(const Timing& timing, const Plan& plan, const std::vector<RowResult>& rows,
-                        const dataset::Dataset& data, const learning::Engine& engine) {
+                        const dataset::Dataset& data, const train::Engine& engine) {
     const auto row = static_cast<std::size_t>(
         std::find_if(plan.rows.begin(), plan.rows.end(), [&](const Row& each) { return each.name == timing.row; }) -
         plan.rows.begin());
@@ -54,7 +54,7 @@ TimingResult run_timing(const Timing& timing, const Plan& plan, const std::vecto
         if (rows[row].models.empty()) {
             throw Error("the row has no model");
         }
-        learning::RunOptions options;
+        train::RunOptions options;
         options.device = timing.device;
         const auto model = engine.load(rows[row].models.front().file, options);
         const auto swarms = some_swarms(data, plan.rows[row].settings, plan.timed_samples);
@@ -85,7 +85,7 @@ std::vector<RowResult> run_rows(const Plan& plan, const ModelStore& store) {
 }
 
 std::vector<TimingResult> run_timings(const Plan& plan, const std::vector<RowResult>& rows,
-                                      const dataset::Dataset& data, const learning::Engine& engine) {
+                                      const dataset::Dataset& data, const train::Engine& engine) {
     std::vector<TimingResult> results;
     for (const Timing& timing : plan.timings) {
         results.push_back(run_timing(timing, plan, rows, data, engine));

@@ -25,6 +25,6 @@ std::vector<RowResult> run_rows(const Plan& plan, const ModelStore& store);
 
 /// Of the first seed's models; what this machine cannot run says so.
 std::vector<TimingResult> run_timings(const Plan& plan, const std::vector<RowResult>& rows,
-                                      const dataset::Dataset& data, const learning::Engine& engine);
+                                      const dataset::Dataset& data, const train::Engine& engine);
 
 }  // namespace ddtool::ablation

@@ -28,7 +28,7 @@ Table accuracy_table(const Plan& plan, const std::vector<RowResult>& results) {
                  {"note"}});
     for (std::size_t index = 0; index < plan.rows.size(); ++index) {
         const Row& row = plan.rows[index];
-        const learning::TrainSettings& settings = row.settings;
+        const train::TrainSettings& settings = row.settings;
         std::vector<double> accuracy;
         std::vector<double> f1;
         std::vector<double> auc;

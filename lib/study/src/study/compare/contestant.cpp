@@ -120,38 +120,41 @@ Contestant::Kind Contestant::kind_from(const Json& settings, const std::string& 
 
 Json Contestant::identity(const std::string& world, std::uint64_t seed) const {
     return std::visit(overloaded{[&](const Filter& filter) -> Json {
-                               const std::string detector = parts_of(filter.settings.method).detector;
-                               return {{"kind", filter_kind},
-                                       {"filter", filter.json},
-                                       {"model", detectors_.model_fingerprint(detector)},
-                                       {"seed", seed}};
-                           },
-                           [](const Odometry&) -> Json { return {{"kind", odometry_kind}}; },
-                           [&](const External& external) -> Json {
-                               const std::string file = expand(external.trajectories, world, seed);
-                               return {{"kind", external_kind}, {"file", file_fingerprint(file)}};
-                           },
-                           [&](const KnownMap& known) -> Json {
-                               return {{"kind", known_map_kind}, {"odometry", known.odometry}, {"seed", seed}};
-                           }},
+                                     const std::string detector = parts_of(filter.settings.method).detector;
+                                     return {{"kind", filter_kind},
+                                             {"filter", filter.json},
+                                             {"model", detectors_.model_fingerprint(detector)},
+                                             {"seed", seed}};
+                                 },
+                                 [](const Odometry&) -> Json {
+                                     return {{"kind", odometry_kind}};
+                                 },
+                                 [&](const External& external) -> Json {
+                                     const std::string file = expand(external.trajectories, world, seed);
+                                     return {{"kind", external_kind}, {"file", file_fingerprint(file)}};
+                                 },
+                                 [&](const KnownMap& known) -> Json {
+                                     return {{"kind", known_map_kind}, {"odometry", known.odometry}, {"seed", seed}};
+                                 }},
                       kind_);
 }
 
 std::unique_ptr<Estimator> Contestant::start(const std::string& world, std::uint64_t seed) const {
     using Started = std::unique_ptr<Estimator>;
-    return std::visit(overloaded{[&](const Filter& filter) -> Started {
-                               FilterSettings settings = filter.settings;
-                               settings.rbpf.seed = seed;
-                               return std::make_unique<FilterEstimator>(settings, detectors_);
-                           },
-                           [](const Odometry&) -> Started { return std::make_unique<OdometryEstimator>(); },
-                           [&](const External& external) -> Started {
-                               return std::make_unique<ExternalEstimator>(expand(external.trajectories, world, seed));
-                           },
-                           [&](const KnownMap& known) -> Started {
-                               return std::make_unique<KnownMapEstimator>(sim::odometry_preset(known.odometry), seed);
-                           }},
-                      kind_);
+    return std::visit(
+        overloaded{[&](const Filter& filter) -> Started {
+                       FilterSettings settings = filter.settings;
+                       settings.rbpf.seed = seed;
+                       return std::make_unique<FilterEstimator>(settings, detectors_);
+                   },
+                   [](const Odometry&) -> Started { return std::make_unique<OdometryEstimator>(); },
+                   [&](const External& external) -> Started {
+                       return std::make_unique<ExternalEstimator>(expand(external.trajectories, world, seed));
+                   },
+                   [&](const KnownMap& known) -> Started {
+                       return std::make_unique<KnownMapEstimator>(sim::odometry_preset(known.odometry), seed);
+                   }},
+        kind_);
 }
 
 }  // namespace ddtool::compare

@@ -89,12 +89,11 @@ std::vector<Cell> cells_of(const Experiment& experiment) {
             const auto data = std::make_shared<const DataSource>(entry.data(experiment.seeds[seed]));
             const std::string data_id = Fingerprint().add(data->identity.dump()).hex();
             for (std::size_t contestant = 0; contestant < experiment.contestants.size(); ++contestant) {
-                const Json identity =
-                    experiment.contestants[contestant].identity(entry.name(), experiment.seeds[seed]);
+                const Json identity = experiment.contestants[contestant].identity(entry.name(), experiment.seeds[seed]);
                 jobs::Key key(Json{{"format", format},
-                               {"data", data->identity},
-                               {"method", identity},
-                               {"score", score_identity(experiment.score)}});
+                                   {"data", data->identity},
+                                   {"method", identity},
+                                   {"score", score_identity(experiment.score)}});
                 cells.push_back({world, contestant, seed, data, std::move(key), data_id});
             }
         }

@@ -119,7 +119,8 @@ html::Page page(const std::filesystem::path& folder, const std::vector<Section>&
 
 }  // namespace
 
-Json results_json(const Experiment& experiment, const std::vector<Cell>& cells, const std::vector<CellResult>& results) {
+Json results_json(const Experiment& experiment, const std::vector<Cell>& cells,
+                  const std::vector<CellResult>& results) {
     return {{"baseline", experiment.contestants[experiment.baseline].name()},
             {"seeds", experiment.seeds},
             {"rows", full_table(experiment, summaries_of(experiment, cells, results)).json()},

@@ -102,7 +102,8 @@ Table failure_table(const Experiment& experiment, const std::vector<Cell>& cells
     Table table({{"world"}, {"method"}, {"seed"}, {"why"}});
     for (std::size_t index = 0; index < cells.size(); ++index) {
         if (!results[index].failure.empty()) {
-            table.add_row({experiment.worlds[cells[index].world].name(), experiment.contestants[cells[index].contestant].name(),
+            table.add_row({experiment.worlds[cells[index].world].name(),
+                           experiment.contestants[cells[index].contestant].name(),
                            static_cast<std::int64_t>(experiment.seeds[cells[index].seed]), results[index].failure});
         }
     }

@@ -7,8 +7,8 @@
 
 namespace ddtool::compare {
 
-/// A row a world, a column a contestant: the median of the world's main metric, quartiles, and * where the difference from
-/// the baseline is significant at 0.05 after correction.
+/// A row a world, a column a contestant: the median of the world's main metric, quartiles, and * where the difference
+/// from the baseline is significant at 0.05 after correction.
 Table overview_table(const Experiment& experiment, const std::vector<Summary>& summaries);
 
 /// A row a world and contestant: median, spread and test of one metric.

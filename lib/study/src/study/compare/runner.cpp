@@ -12,8 +12,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 /// Feeds the estimator; gives back what the frames say of the truth.
-Trajectory feed(Estimator& estimator, const DataSource& data, CellResult& result,
-                const jobs::OnProgress& on_progress) {
+Trajectory feed(Estimator& estimator, const DataSource& data, CellResult& result, const jobs::OnProgress& on_progress) {
     Trajectory truth;
     const std::unique_ptr<SensorStream> stream = data.open([&](const LogProblem&) { ++result.log_problems; });
     while (const std::optional<SensorFrame> frame = stream->next()) {
@@ -27,7 +26,8 @@ Trajectory feed(Estimator& estimator, const DataSource& data, CellResult& result
     return truth;
 }
 
-ScoreFigures score_of(const Trajectory& estimate, const Trajectory& truth, const DataSource& data, const AteOptions& options) {
+ScoreFigures score_of(const Trajectory& estimate, const Trajectory& truth, const DataSource& data,
+                      const AteOptions& options) {
     TrajectoryScore score;
     if (!truth.empty()) {
         score = score_against(estimate, truth, {.ate = options, .rpe_delta = {}});

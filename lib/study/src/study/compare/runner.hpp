@@ -14,8 +14,8 @@ struct RunOutcome {
     std::size_t computed = 0;         ///< cells that were run, failed ones too
 };
 
-/// Gives every cell a result: from the store where it is there, else by running it, as jobs::run() does. `program` names
-/// the build that computes.
+/// Gives every cell a result: from the store where it is there, else by running it, as jobs::run() does. `program`
+/// names the build that computes.
 RunOutcome run_cells(const Experiment& experiment, const std::vector<Cell>& cells, ResultStore& store,
                      ThreadPool& threads, const std::string& program);
 

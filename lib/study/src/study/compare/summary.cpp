@@ -11,12 +11,12 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-template <std::optional<ErrorStatistics> ScoreFigures::* Error, double ErrorStatistics::* Statistic>
+template <std::optional<ErrorStatistics> ScoreFigures::*Error, double ErrorStatistics::*Statistic>
 std::optional<double> figure(const ScoreFigures& score) {
     return score.*Error ? std::optional((*(score.*Error)).*Statistic) : std::nullopt;
 }
 
-template <std::optional<ErrorStatistics> ScoreFigures::* Error>
+template <std::optional<ErrorStatistics> ScoreFigures::*Error>
 constexpr auto mean_of = figure<Error, &ErrorStatistics::mean>;
 
 /// Of one metric, by world, contestant and seed; infinite where a run has none.
@@ -98,7 +98,8 @@ std::vector<Summary> summaries_of(const Experiment& experiment, const std::vecto
         const Values values(experiment, cells, results, all_metrics()[metric]);
         std::vector<Summary> summaries;
         for (std::size_t world = 0; world < experiment.worlds.size(); ++world) {
-            for (std::size_t contestant = 0; values.any(world) && contestant < experiment.contestants.size(); ++contestant) {
+            for (std::size_t contestant = 0; values.any(world) && contestant < experiment.contestants.size();
+                 ++contestant) {
                 summaries.push_back(summarise(values, world, contestant, experiment.baseline));
                 summaries.back().metric = metric;
             }

@@ -5,7 +5,7 @@
 
 #include "scores/rank_statistics.hpp"
 
-namespace ddtool::detection {
+namespace ddtool::judge {
 
 Performance performance_of(const Detector& detector, std::span<const double> scores,
                            const std::vector<bool>& degenerate) {
@@ -17,4 +17,4 @@ Performance performance_of(const Detector& detector, std::span<const double> sco
             .auc = roc_auc(scores, degenerate)};
 }
 
-}  // namespace ddtool::detection
+}  // namespace ddtool::judge

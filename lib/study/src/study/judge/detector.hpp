@@ -11,7 +11,7 @@
 #include "ddtool/swarm/particle_snapshot.hpp"
 #include "scores/confusion.hpp"
 
-namespace ddtool::detection {
+namespace ddtool::judge {
 
 /// A swarm, as it lies in a snapshot or in a mapped data set.
 using Particles = std::span<const SnapshotParticle>;
@@ -60,4 +60,4 @@ struct Performance {
 Performance performance_of(const Detector& detector, std::span<const double> scores,
                            const std::vector<bool>& degenerate);
 
-}  // namespace ddtool::detection
+}  // namespace ddtool::judge

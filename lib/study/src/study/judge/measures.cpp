@@ -8,7 +8,7 @@
 #include "swarm/spread.hpp"
 #include "swarm/weights.hpp"
 
-namespace ddtool::detection {
+namespace ddtool::judge {
 namespace {
 
 using Position = Pose2 SnapshotParticle::*;
@@ -68,4 +68,4 @@ Eigen::VectorXd covariance_features(Particles swarm) {
     return features;
 }
 
-}  // namespace ddtool::detection
+}  // namespace ddtool::judge

@@ -4,7 +4,7 @@
 
 #include "ddtool/network/particle_renderer.hpp"
 
-namespace ddtool::detection {
+namespace ddtool::judge {
 namespace {
 
 /// Network, renderer, and the memory of one batch of images.
@@ -79,4 +79,4 @@ Detector detector_of(const std::shared_ptr<native::DegreeModel>& model) {
     return detector;
 }
 
-}  // namespace ddtool::detection
+}  // namespace ddtool::judge

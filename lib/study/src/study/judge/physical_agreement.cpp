@@ -5,7 +5,7 @@
 
 #include "scores/rank_statistics.hpp"
 
-namespace ddtool::detection {
+namespace ddtool::judge {
 namespace {
 
 using dataset::Label;
@@ -51,11 +51,12 @@ std::vector<PhysicalAgreement> physical_agreement(const dataset::Dataset& data, 
     }
     std::vector<PhysicalAgreement> agreements;
     for (const auto& [kind, columns] : by_kind) {
-        agreements.push_back({name_of(kind), columns.scores.size(), roc_auc(columns.labelled_scores, columns.degenerate),
+        agreements.push_back({name_of(kind), columns.scores.size(),
+                              roc_auc(columns.labelled_scores, columns.degenerate),
                               rank_correlation(columns.scores, columns.weak_sd_m),
                               rank_correlation(columns.scores, columns.information)});
     }
     return agreements;
 }
 
-}  // namespace ddtool::detection
+}  // namespace ddtool::judge

@@ -13,7 +13,7 @@
 #include "system/folder.hpp"
 #include "system/png_file.hpp"
 
-namespace ddtool::detection {
+namespace ddtool::judge {
 namespace {
 
 constexpr std::size_t columns = 3;
@@ -182,4 +182,4 @@ void draw_evaluations(const std::filesystem::path& folder, const dataset::Datase
     draw_mistakes(folder / "mistakes.png", data, shown);
 }
 
-}  // namespace ddtool::detection
+}  // namespace ddtool::judge

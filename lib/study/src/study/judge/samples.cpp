@@ -4,10 +4,10 @@
 
 #include "system/progress.hpp"
 
-namespace ddtool::detection {
+namespace ddtool::judge {
 
 LabelledSamples labelled_samples(const dataset::Dataset& data, dataset::LabelRule label, dataset::Split split,
-                                        dataset::Part part) {
+                                 dataset::Part part) {
     LabelledSamples samples{data.part(label, split, part), {}};
     for (const std::size_t index : samples.indices) {
         samples.degenerate.push_back(data.sample(index).label_of(label) == dataset::Label::degenerate);
@@ -43,4 +43,4 @@ std::vector<double> scores_of(const dataset::Dataset& data, const std::vector<st
     return scores;
 }
 
-}  // namespace ddtool::detection
+}  // namespace ddtool::judge

@@ -9,7 +9,7 @@
 #include "dataset/grouping.hpp"
 #include "study/judge/detector.hpp"
 
-namespace ddtool::detection {
+namespace ddtool::judge {
 
 /// Positions of samples in a data set, and what their label says.
 struct LabelledSamples {
@@ -29,4 +29,4 @@ Groups grouped(const dataset::Dataset& data, const LabelledSamples& samples, con
 std::vector<double> scores_of(const dataset::Dataset& data, const std::vector<std::size_t>& samples,
                               const SwarmScorer& scorer, const std::string& what);
 
-}  // namespace ddtool::detection
+}  // namespace ddtool::judge

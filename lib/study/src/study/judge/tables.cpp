@@ -7,7 +7,7 @@
 #include "scores/statistics.hpp"
 #include "study/judge/samples.hpp"
 
-namespace ddtool::detection {
+namespace ddtool::judge {
 namespace {
 
 using Columns = std::vector<Table::Column>;
@@ -178,4 +178,4 @@ Json evaluation_json(const dataset::Dataset& data, std::span<const Evaluation> e
             {"groups", group_table(data, evaluations).json()}};
 }
 
-}  // namespace ddtool::detection
+}  // namespace ddtool::judge

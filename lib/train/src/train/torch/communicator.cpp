@@ -13,7 +13,7 @@
 #include "ddtool/base/error.hpp"
 #include "train/torch/batch_norm.hpp"
 
-namespace ddtool::training {
+namespace ddtool::train_torch {
 namespace {
 
 /// To meet; a rank that is lost afterwards is noticed at once, by its connection.
@@ -22,7 +22,7 @@ constexpr std::chrono::minutes patience_to_meet{5};
 constexpr std::chrono::minutes patience{30};
 
 /// torchrun keeps a store of its own at the master's address, which everyone then uses.
-bool store_is_hosted() { return learning::process_environment("TORCHELASTIC_USE_AGENT_STORE") == "True"; }
+bool store_is_hosted() { return train::process_environment("TORCHELASTIC_USE_AGENT_STORE") == "True"; }
 
 template <typename Action>
 void with_others(const char* what, Action&& action) {
@@ -38,9 +38,9 @@ void with_others(const char* what, Action&& action) {
 }  // namespace
 
 /// The store where the ranks meet, and the collective operations.
-class Ranks::Group {
+class Communicator::Group {
 public:
-    Group(const learning::ProcessGroup& group, [[maybe_unused]] torch::Device device) {
+    Group(const train::ProcessGroup& group, [[maybe_unused]] torch::Device device) {
         c10d::TCPStoreOptions options;
         options.port = group.master_port;
         options.isServer = group.rank.rank == 0 && !store_is_hosted();
@@ -112,20 +112,20 @@ struct SumOverRanksFunction : torch::autograd::Function<SumOverRanksFunction> {
 
 }  // namespace
 
-Ranks::Ranks(const std::optional<learning::ProcessGroup>& group, torch::Device device) : device_(device) {
+Communicator::Communicator(const std::optional<train::ProcessGroup>& group, torch::Device device) : device_(device) {
     if (group) {
         rank_ = group->rank;
         with_others("meeting the other ranks", [&] { group_ = std::make_shared<Group>(*group, device); });
     }
 }
 
-Ranks::~Ranks() = default;
+Communicator::~Communicator() = default;
 
-void Ranks::add_up(torch::Tensor& tensor) const {
+void Communicator::add_up(torch::Tensor& tensor) const {
     with_others("adding up over the ranks", [&] { group_->sum(tensor); });
 }
 
-void Ranks::copy_from_leader(std::vector<torch::Tensor> tensors) const {
+void Communicator::copy_from_leader(std::vector<torch::Tensor> tensors) const {
     if (group_) {
         const torch::NoGradGuard no_gradients;
         for (torch::Tensor& tensor : tensors) {
@@ -136,7 +136,7 @@ void Ranks::copy_from_leader(std::vector<torch::Tensor> tensors) const {
     }
 }
 
-void Ranks::average_gradients(const std::vector<torch::Tensor>& parameters) const {
+void Communicator::average_gradients(const std::vector<torch::Tensor>& parameters) const {
     if (!group_) {
         return;
     }
@@ -155,7 +155,7 @@ void Ranks::average_gradients(const std::vector<torch::Tensor>& parameters) cons
     }
 }
 
-std::vector<double> Ranks::sums(const std::vector<double>& values) const {
+std::vector<double> Communicator::sums(const std::vector<double>& values) const {
     if (!group_) {
         return values;
     }
@@ -165,20 +165,20 @@ std::vector<double> Ranks::sums(const std::vector<double>& values) const {
     return {tensor.data_ptr<double>(), tensor.data_ptr<double>() + tensor.numel()};
 }
 
-std::vector<double> Ranks::of_leader(const std::vector<double>& values) const {
+std::vector<double> Communicator::of_leader(const std::vector<double>& values) const {
     return sums(leads() ? values : std::vector<double>(values.size(), 0.0));
 }
 
-void Ranks::join_statistics(models::Network& network) const {
+void Communicator::join_statistics(Network& network) const {
     if (group_) {
         // Lives as long as the hook that holds it.
         const auto sum = std::make_shared<const Sum>([group = group_](torch::Tensor& tensor) {
             with_others("adding up over the ranks", [&] { group->sum(tensor); });
         });
-        models::set_sum_over_ranks(network, [sum](const torch::Tensor& values) {
+        set_sum_over_ranks(network, [sum](const torch::Tensor& values) {
             return SumOverRanksFunction::apply(values, reinterpret_cast<std::int64_t>(sum.get()));
         });
     }
 }
 
-}  // namespace ddtool::training
+}  // namespace ddtool::train_torch

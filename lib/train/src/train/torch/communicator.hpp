@@ -10,20 +10,20 @@
 #include "train/sampler.hpp"
 #include "train/torch/network.hpp"
 
-namespace ddtool::training {
+namespace ddtool::train_torch {
 
 /// The processes of one training and what they tell each other, over LibTorch's c10d: Gloo on the CPU, NCCL on CUDA
 /// where LibTorch has it. Alone, everything is a no-op. Every member throws Error when another rank was lost;
 /// of NCCL, LibTorch's own watchdog ends the process instead.
-class Ranks {
+class Communicator {
 public:
     /// Meets the others at the master's address; alone without a process group.
-    Ranks(const std::optional<learning::ProcessGroup>& group, torch::Device device);
-    ~Ranks();
-    Ranks(const Ranks&) = delete;
-    Ranks& operator=(const Ranks&) = delete;
+    Communicator(const std::optional<train::ProcessGroup>& group, torch::Device device);
+    ~Communicator();
+    Communicator(const Communicator&) = delete;
+    Communicator& operator=(const Communicator&) = delete;
 
-    [[nodiscard]] learning::Rank rank() const { return rank_; }
+    [[nodiscard]] train::Rank rank() const { return rank_; }
     /// Rank 0 writes files and talks.
     [[nodiscard]] bool leads() const { return rank_.rank == 0; }
 
@@ -36,15 +36,15 @@ public:
     /// Rank 0's numbers.
     [[nodiscard]] std::vector<double> of_leader(const std::vector<double>& values) const;
     /// Makes batch normalisation see the batches of all ranks as one.
-    void join_statistics(models::Network& network) const;
+    void join_statistics(Network& network) const;
 
 private:
     class Group;
     void add_up(torch::Tensor& tensor) const;
 
-    learning::Rank rank_;
+    train::Rank rank_;
     torch::Device device_;
     std::shared_ptr<Group> group_;  ///< null: alone
 };
 
-}  // namespace ddtool::training
+}  // namespace ddtool::train_torch

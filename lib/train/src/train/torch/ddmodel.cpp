@@ -3,7 +3,7 @@
 #include <cmath>
 #include <vector>
 
-namespace ddtool::models {
+namespace ddtool::train_torch {
 namespace {
 
 torch::nn::LayerNorm layer_norm(std::int64_t width) {
@@ -100,4 +100,4 @@ torch::Tensor DDModel::features(const torch::Tensor& map) {
     return norm_(encoder_->forward(tokens)).mean(1);
 }
 
-}  // namespace ddtool::models
+}  // namespace ddtool::train_torch

@@ -9,7 +9,7 @@
 #include "train/torch/layers.hpp"
 #include "train/torch/network.hpp"
 
-namespace ddtool::models {
+namespace ddtool::train_torch {
 
 /// Residual block of two 3x3 convolutions (He et al. 2016, figure 5 left). Where the shape changes, the skip is a 1x1
 /// projection (their option B).
@@ -66,4 +66,4 @@ private:
     torch::nn::Linear head_;
 };
 
-}  // namespace ddtool::models
+}  // namespace ddtool::train_torch

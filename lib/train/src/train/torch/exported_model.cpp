@@ -1,9 +1,9 @@
 #include "train/torch/exported_model.hpp"
 
 #include <caffe2/serialize/inline_container.h>
-#include <sstream>
 #include <torch/csrc/jit/frontend/tracer.h>
 #include <torch/script.h>
+#include <sstream>
 
 #include "ddtool/base/error.hpp"
 #include "system/atomic_file.hpp"
@@ -12,7 +12,7 @@
 #include "train/torch/torch_errors.hpp"
 #include "train/torch/torch_model.hpp"
 
-namespace ddtool::inference {
+namespace ddtool::train_torch {
 namespace {
 
 constexpr const char* description_file = "ddtool.json";
@@ -36,7 +36,7 @@ torch::jit::Module owner_of(const torch::nn::Module& network, const std::string&
 }
 
 /// Records what the network does with a batch as the method "forward" of its owner.
-void trace_forward(torch::jit::Module& owner, models::Network& network, const native::ModelDescription& description) {
+void trace_forward(torch::jit::Module& owner, Network& network, const native::ModelDescription& description) {
     const auto size = static_cast<std::int64_t>(description.image.size_px);
     // Two images: with one, a step that only works for a batch of one would go unnoticed.
     const torch::Tensor images = torch::zeros({2, 1, size, size}, network.parameters().front().options());
@@ -83,7 +83,7 @@ torch::Tensor class_values(torch::Tensor values) {
 
 }  // namespace
 
-void write_torch_script(const std::filesystem::path& path, models::Network& network,
+void write_torch_script(const std::filesystem::path& path, Network& network,
                         const native::ModelDescription& description) {
     network.eval();
     const torch::NoGradGuard no_gradients;
@@ -98,16 +98,16 @@ bool is_exported_model(const std::filesystem::path& path) {
     if (!std::filesystem::is_regular_file(path)) {
         throw Error(path.string() + ": no such file; expected a model of ddtool export, or a checkpoint");
     }
-    return models::guarded_by_path(path, "neither a TorchScript model nor a checkpoint, or cut short",
-                                   [&] { return has_file(path, description_file); });
+    return guarded_by_path(path, "neither a TorchScript model nor a checkpoint, or cut short",
+                           [&] { return has_file(path, description_file); });
 }
 
 std::unique_ptr<native::DegreeModel> load_torch_script(const std::filesystem::path& path,
-                                                       const learning::RunOptions& options) {
+                                                       const train::RunOptions& options) {
     expect_listed_checksum(path);
     torch::jit::ExtraFilesMap extra{{description_file, ""}};
     const auto guarded = [path](auto&& action) {
-        return models::guarded_by_path(path, "not a TorchScript model of ddtool", action);
+        return guarded_by_path(path, "not a TorchScript model of ddtool", action);
     };
     torch::jit::Module module =
         guarded([&] { return torch::jit::load(path.string(), torch::Device(options.device), extra); });
@@ -126,7 +126,7 @@ std::unique_ptr<native::DegreeModel> load_torch_script(const std::filesystem::pa
         options);
 }
 
-native::PlainWeights plain_weights(const models::Network& network, const native::ModelDescription& about) {
+native::PlainWeights plain_weights(const Network& network, const native::ModelDescription& about) {
     native::PlainWeights weights{Json(about).dump(), {}};
     const auto add = [&](const auto& items) {
         for (const auto& item : items) {
@@ -141,4 +141,4 @@ native::PlainWeights plain_weights(const models::Network& network, const native:
     return weights;
 }
 
-}  // namespace ddtool::inference
+}  // namespace ddtool::train_torch

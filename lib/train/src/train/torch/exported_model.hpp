@@ -8,12 +8,12 @@
 #include "train/engine.hpp"
 #include "train/torch/network.hpp"
 
-namespace ddtool::inference {
+namespace ddtool::train_torch {
 
 /// Writes the network as TorchScript that owns its parameters: images [n, 1, size_px, size_px] to the two values of
 /// output_values(), for any n. The description travels inside as the extra file ddtool.json. The network is put into
 /// its evaluation mode.
-void write_torch_script(const std::filesystem::path& path, models::Network& network,
+void write_torch_script(const std::filesystem::path& path, Network& network,
                         const native::ModelDescription& description);
 
 /// Whether the file holds what write_torch_script() writes, rather than a checkpoint. Throws Error where it can be
@@ -24,9 +24,9 @@ bool is_exported_model(const std::filesystem::path& path);
 /// or listed otherwise in a SHA256SUMS beside it.
 /// TorchScript is a program: load only files you trust.
 std::unique_ptr<native::DegreeModel> load_torch_script(const std::filesystem::path& path,
-                                                       const learning::RunOptions& options);
+                                                       const train::RunOptions& options);
 
 /// The tensors of a network under their dotted names, batch statistics among them.
-native::PlainWeights plain_weights(const models::Network& network, const native::ModelDescription& about);
+native::PlainWeights plain_weights(const Network& network, const native::ModelDescription& about);
 
-}  // namespace ddtool::inference
+}  // namespace ddtool::train_torch

@@ -2,7 +2,7 @@
 
 #include "ddtool/base/error.hpp"
 
-namespace ddtool::training {
+namespace ddtool::train_torch {
 
 torch::Tensor sample_losses(const std::string& loss, const torch::Tensor& logits, const torch::Tensor& classes) {
     namespace functional = torch::nn::functional;
@@ -29,11 +29,11 @@ torch::Tensor ClassWeights::at(const torch::Tensor& classes) const {
 }
 
 ClassWeights class_weights(const dataset::Dataset& data, const std::vector<std::size_t>& samples,
-                           const learning::TrainSettings& settings) {
+                           const train::TrainSettings& settings) {
     if (!settings.class_weights) {
         return {};
     }
-    const dataset::LabelRule rule = learning::label_rule_of(settings);
+    const dataset::LabelRule rule = train::label_rule_of(settings);
     std::array<double, 2> counts{};
     for (const std::size_t sample : samples) {
         counts.at(data.sample(sample).label_of(rule) == dataset::Label::degenerate ? 1 : 0) += 1.0;
@@ -42,4 +42,4 @@ ClassWeights class_weights(const dataset::Dataset& data, const std::vector<std::
     return {{all / (2.0 * counts[0]), all / (2.0 * counts[1])}};
 }
 
-}  // namespace ddtool::training
+}  // namespace ddtool::train_torch

@@ -9,7 +9,7 @@
 #include "dataset/dataset.hpp"
 #include "train/train_settings.hpp"
 
-namespace ddtool::training {
+namespace ddtool::train_torch {
 
 /// The loss of each sample, [n]. logits: [n, 2]; classes: [n], 0 or 1. cross-entropy takes the softmax of the two
 /// logits; bce takes each logit for a class of its own, against 0 and 1, and averages both. Throws UsageError for
@@ -30,6 +30,6 @@ struct ClassWeights {
 
 /// Each class the same in all where the settings ask for it. There are samples of both.
 ClassWeights class_weights(const dataset::Dataset& data, const std::vector<std::size_t>& samples,
-                           const learning::TrainSettings& settings);
+                           const train::TrainSettings& settings);
 
-}  // namespace ddtool::training
+}  // namespace ddtool::train_torch

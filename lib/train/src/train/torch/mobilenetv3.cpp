@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-namespace ddtool::models {
+namespace ddtool::train_torch {
 namespace {
 
 /// The multiple of 8 nearest to `channels`, no more than 10 % below it (Sandler et al.'s rule for layer widths).
@@ -120,4 +120,4 @@ torch::Tensor MobileNetV3::forward(const torch::Tensor& images) {
 
 torch::Tensor MobileNetV3::feature_map(const torch::Tensor& images) { return maps_->forward(images); }
 
-}  // namespace ddtool::models
+}  // namespace ddtool::train_torch

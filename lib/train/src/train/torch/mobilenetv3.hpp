@@ -8,7 +8,7 @@
 #include "train/torch/layers.hpp"
 #include "train/torch/network.hpp"
 
-namespace ddtool::models {
+namespace ddtool::train_torch {
 
 /// A "bneck" row of Howard et al. 2019, table 1.
 struct BottleneckRow {
@@ -65,4 +65,4 @@ private:
     torch::nn::Linear head_;
 };
 
-}  // namespace ddtool::models
+}  // namespace ddtool::train_torch
