@@ -124,7 +124,7 @@ void draw_histograms(const std::filesystem::path& folder, const Dataset& data) {
 }
 
 std::string montage_name(LabelRule rule, Swarm swarm) {
-    return std::string("montage-") + label_rule_names[index_of(rule)] + "-" + Json(swarm).get<std::string>() + ".png";
+    return std::string("montage-") + label_rule_names[index_of(rule)] + "-" + swarm_names[index_of(swarm)] + ".png";
 }
 
 void draw_montages(const std::filesystem::path& folder, const Dataset& data, const ImageSettings& settings) {

@@ -45,12 +45,13 @@ Timing timing_from(const Json& item, const std::vector<Row>& rows, const std::st
     const Timing defaults;
     Json known{{"row", ""}, {"device", defaults.device}, {"image_file", defaults.image_file}, {"paper_ms", nullptr}};
     merge_settings(known, item, where);
-    Timing timing{known.at("row"), known.at("device"), known.at("image_file"),
-                  figure(known.at("paper_ms"), where + ".paper_ms")};
-    if (std::none_of(rows.begin(), rows.end(), [&](const Row& row) { return row.name == timing.row; })) {
-        throw UsageError(where + ".row: expected the name of a row, not '" + timing.row + "'");
+    const auto name = known.at("row").get<std::string>();
+    const auto row = std::ranges::find(rows, name, &Row::name);
+    if (row == rows.end()) {
+        throw UsageError(where + ".row: expected the name of a row, not '" + name + "'");
     }
-    return timing;
+    return {static_cast<std::size_t>(row - rows.begin()), known.at("device"), known.at("image_file"),
+            figure(known.at("paper_ms"), where + ".paper_ms")};
 }
 
 std::string place(const std::string& list, std::size_t index) { return list + "[" + std::to_string(index) + "]"; }

@@ -22,7 +22,7 @@ struct Row {
 
 /// A way to run the network of a row, one image at a time.
 struct Timing {
-    std::string row;  ///< its name
+    std::size_t row = 0;  ///< position in the plan's rows
     std::string device = "cpu";
     bool image_file = false;  ///< hand the image over through a PNG file, not in memory
     double paper_ms = not_printed;

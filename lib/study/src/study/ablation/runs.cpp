@@ -47,17 +47,14 @@ std::vector<judge::Particles> some_swarms(const dataset::Dataset& data, const tr
 
 TimingResult run_timing(const Timing& timing, const Plan& plan, const std::vector<RowResult>& rows,
                         const dataset::Dataset& data, const train::Engine& engine) {
-    const auto row = static_cast<std::size_t>(
-        std::find_if(plan.rows.begin(), plan.rows.end(), [&](const Row& each) { return each.name == timing.row; }) -
-        plan.rows.begin());
     try {
-        if (rows[row].models.empty()) {
+        if (rows[timing.row].models.empty()) {
             throw Error("the row has no model");
         }
         train::RunOptions options;
         options.device = timing.device;
-        const auto model = engine.load(rows[row].models.front().file, options);
-        const auto swarms = some_swarms(data, plan.rows[row].settings, plan.timed_samples);
+        const auto model = engine.load(rows[timing.row].models.front().file, options);
+        const auto swarms = some_swarms(data, plan.rows[timing.row].settings, plan.timed_samples);
         return {inference_time_ms(*model, swarms, timing.image_file), ""};
     } catch (const Error& error) {
         return {std::numeric_limits<double>::quiet_NaN(), error.what()};

@@ -39,7 +39,7 @@ Table accuracy_table(const Plan& plan, const std::vector<RowResult>& results) {
         }
         table.add_row({row.name, yes_or_dash(settings.image.linear_mapping),
                        yes_or_dash(settings.image.gaussian_augmentation), settings.loss, settings.optimizer.name,
-                       Json(settings.image.swarm).get<std::string>(), settings.label + " / " + settings.split,
+                       swarm_names[dataset::index_of(settings.image.swarm)], settings.label + " / " + settings.split,
                        static_cast<std::int64_t>(accuracy.size()), mean_and_sd(accuracy).mean, mean_and_sd(accuracy).sd,
                        mean_and_sd(f1).mean, mean_and_sd(f1).sd, mean_and_sd(auc).mean, row.paper_accuracy,
                        row.paper_f1, results[index].failure});
@@ -51,8 +51,8 @@ Table timing_table(const Plan& plan, const std::vector<TimingResult>& results) {
     Table table({{"row"}, {"device"}, {"image matrix"}, {"time [ms]", 2}, {"paper [ms]", 0}, {"note"}});
     for (std::size_t index = 0; index < plan.timings.size(); ++index) {
         const Timing& timing = plan.timings[index];
-        table.add_row({timing.row, timing.device, yes_or_dash(!timing.image_file), results[index].time_ms,
-                       timing.paper_ms, results[index].failure});
+        table.add_row({plan.rows[timing.row].name, timing.device, yes_or_dash(!timing.image_file),
+                       results[index].time_ms, timing.paper_ms, results[index].failure});
     }
     return table;
 }

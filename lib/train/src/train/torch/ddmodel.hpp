@@ -45,7 +45,7 @@ private:
     torch::nn::Linear feed_forward_out_;
 };
 
-/// The networks of learning/dd_tables.hpp.
+/// The networks of network/dd_tables.hpp.
 class DDModel : public Network {
 public:
     DDModel(const native::DDModelTable& table, std::int64_t size_px);
