@@ -36,53 +36,52 @@ const Method& method_of(const std::string& name) {
     return *found;
 }
 
-/// A place's choices: a name and what makes the part.
+/// A place's choices: a name and the part.
 template <typename Part>
-using Choices = std::vector<std::pair<std::string, std::function<std::shared_ptr<Part>()>>>;
+using Choices = std::vector<std::pair<std::string, Part>>;
 
 template <typename Part>
-std::shared_ptr<Part> chosen(const Choices<Part>& choices, const std::string& key, const std::string& name) {
+Part chosen(const Choices<Part>& choices, const std::string& key, const std::string& name) {
     std::vector<std::string> names;
-    for (const auto& [known, make] : choices) {
+    for (const auto& [known, part] : choices) {
         if (known == name) {
-            return make();
+            return part;
         }
         names.push_back(known);
     }
     throw UsageError("filter." + key + ": expected " + joined(names) + ", not '" + name + "'");
 }
 
-using Correction = const PoseCorrection;
+using Correction = std::shared_ptr<const PoseCorrection>;
 
-std::shared_ptr<Correction> search_of(const std::string& name, const MethodSettings& settings) {
-    return chosen<Correction>(
-        {{"none", [] { return nullptr; }},
-         {"coarse-fine", [&] { return std::make_shared<CoarseFineSearch>(settings.coarse_fine); }},
-         {"correlative", [&] { return std::make_shared<CorrelativeSearch>(settings.correlative); }}},
-        "search", name);
+Correction search_of(const std::string& name, const MethodSettings& settings) {
+    return chosen<Correction>({{"none", nullptr},
+                               {"coarse-fine", std::make_shared<CoarseFineSearch>(settings.coarse_fine)},
+                               {"correlative", std::make_shared<CorrelativeSearch>(settings.correlative)}},
+                              "search", name);
 }
 
-std::shared_ptr<Correction> trust_of(const std::string& name, const MethodSettings& settings) {
-    return chosen<Correction>(
-        {{"none", [] { return nullptr; }},
-         {"lidar-score", [] { return std::make_shared<LidarScoreTrust>(); }},
-         {"information", [&] { return std::make_shared<InformationFusion>(settings.fusion); }},
-         {"eigenvalue-gate", [&] { return std::make_shared<EigenvalueGate>(settings.eigenvalue_gate); }},
-         {"odometry", [] { return std::make_shared<OdometryTrust>(); }}},
-        "trust", name);
+Correction trust_of(const std::string& name, const MethodSettings& settings) {
+    return chosen<Correction>({{"none", nullptr},
+                               {"lidar-score", std::make_shared<LidarScoreTrust>()},
+                               {"information", std::make_shared<InformationFusion>(settings.fusion)},
+                               {"eigenvalue-gate", std::make_shared<EigenvalueGate>(settings.eigenvalue_gate)},
+                               {"odometry", std::make_shared<OdometryTrust>()}},
+                              "trust", name);
 }
 
 std::shared_ptr<const Resampling> resampling_of(const std::string& name, const MethodSettings& settings) {
-    return chosen<const Resampling>(
-        {{"systematic", [] { return std::make_shared<SystematicResampling>(); }},
-         {"enhanced", [&] { return std::make_shared<EnhancedResampling>(settings.enhanced_resampling); }}},
+    return chosen<std::shared_ptr<const Resampling>>(
+        {{"systematic", std::make_shared<SystematicResampling>()},
+         {"enhanced", std::make_shared<EnhancedResampling>(settings.enhanced_resampling)}},
         "resampling", name);
 }
 
-std::shared_ptr<OdometryModel> odometry_of(const std::string& name, const FilterSettings& settings) {
-    return chosen<OdometryModel>(
-        {{"as-logged", [&] { return std::make_shared<FixedOdometry>(settings.rbpf.motion); }},
-         {"learnt", [&] { return std::make_shared<LearntOdometry>(settings.method.odometry_learning); }}},
+std::function<std::unique_ptr<OdometryModel>()> odometry_of(const std::string& name, const FilterSettings& settings) {
+    return chosen<std::function<std::unique_ptr<OdometryModel>()>>(
+        {{"as-logged", [noise = settings.rbpf.motion] { return std::make_unique<FixedOdometry>(noise); }},
+         {"learnt",
+          [learning = settings.method.odometry_learning] { return std::make_unique<LearntOdometry>(learning); }}},
         "odometry", name);
 }
 

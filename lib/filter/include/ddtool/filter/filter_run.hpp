@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 
 #include "ddtool/filter/occupancy_grid.hpp"
 #include "ddtool/filter/rbpf.hpp"
@@ -16,11 +17,11 @@ struct FilterRun {
     std::uint64_t updates = 0;
     std::uint64_t resamplings = 0;
     double read_s = 0.0;  ///< wall time in the stream
-    StageTimes times;
+    StageTimes times;     ///< in the filter, over all updates
 };
 
-/// Sees every frame after the filter has taken it, and whether it moved the filter; false ends the run.
-using FrameObserver = std::function<bool(const SensorFrame& frame, bool moved)>;
+/// Sees every frame after the filter has taken it, with the update where there was one; false ends the run.
+using FrameObserver = std::function<bool(const SensorFrame& frame, const std::optional<Update>& update)>;
 
 /// Feeds the filter from a stream to its end; everything is empty when there was no scan.
 FilterRun run_filter(SensorStream& stream, Rbpf& filter, const FrameObserver& observe);

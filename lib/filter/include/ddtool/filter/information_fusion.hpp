@@ -34,7 +34,7 @@ Eigen::Matrix3d credible_information(const Eigen::Matrix3d& match_information,
 class InformationFusion : public PoseCorrection {
 public:
     explicit InformationFusion(const FusionSettings& settings) : settings_(settings) {}
-    ScanMatch correct(const MatchContext& context, const ScanMatch& found, const Degeneracy& degeneracy) const override;
+    ScanMatch correct(const MatchContext& context, const ScanMatch& found) const override;
 
 private:
     FusionSettings settings_;
