@@ -8,7 +8,6 @@
 #include "dataset/build_settings.hpp"
 #include "dataset/counts.hpp"
 #include "dataset/image_files.hpp"
-#include "dataset/part_runner.hpp"
 #include "dataset_report.hpp"
 #include "system/log.hpp"
 #include "system/progress.hpp"

@@ -16,7 +16,7 @@ struct TrainOptions {
     bool as_json = false;
 };
 
-ExitCode train(const TrainOptions& options, const Json& settings) {
+ExitCode train_network(const TrainOptions& options, const Json& settings) {
     const train::Engine& engine = train::engine();
     train::TrainRequest request = options.rest;
     request.data = options.data;
@@ -71,7 +71,7 @@ Command train_command() {
                  "last.pt is written after every epoch, and at least so often", "SECONDS"},
                 {"--json", &options->as_json, "Print JSON instead of a table"},
             },
-        .run = [options](const Json& settings) { return train(*options, settings); }};
+        .run = [options](const Json& settings) { return train_network(*options, settings); }};
 }
 
 }  // namespace ddtool

@@ -2,12 +2,22 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "ddtool/base/error.hpp"
+#include "ddtool/filter/rbpf.hpp"
+#include "swarm/physical_degeneracy.hpp"
 #include "swarm/rules.hpp"
 
 namespace ddtool::dataset {
 namespace {
+
+constexpr double unknown_sd = std::numeric_limits<double>::quiet_NaN();
+
+Eigen::Matrix3d matrix_of(const std::array<double, 6>& information) {
+    const auto& [xx, xy, xt, yy, yt, tt] = information;
+    return (Eigen::Matrix3d() << xx, xy, xt, xy, yy, yt, xt, yt, tt).finished();
+}
 
 Label label_if(bool degenerate) { return degenerate ? Label::degenerate : Label::not_degenerate; }
 
@@ -45,7 +55,7 @@ Label fisher_label(double weak_sd_m, double odometry_sd_m, const LabelSettings& 
 void set_labels(SampleRecord& record, std::span<const SnapshotParticle> particles, const RbpfSettings& filter,
                 const LabelSettings& rules) {
     record.dispersion = dispersions(particles);
-    PhysicalDegeneracy physical{unknown, unknown, unknown, unknown};
+    PhysicalDegeneracy physical{unknown_sd, unknown_sd, unknown_sd, unknown_sd};
     const bool known = std::none_of(record.information.begin(), record.information.end(),
                                     [](double each) { return std::isnan(each); });
     if (known) {

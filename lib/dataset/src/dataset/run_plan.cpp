@@ -182,7 +182,7 @@ private:
 
     template <typename Source>
     void add_run(RunEntry entry, Source source, Json configuration) {
-        configuration["format"] = format;
+        configuration["format"] = plan_format;
         configuration["seed"] = settings_.at("seed");
         configuration["thinning"] = settings_.at("thinning");
         jobs::Key key = key_of(std::move(configuration));

@@ -9,7 +9,7 @@
 namespace ddtool::dataset {
 namespace {
 
-enum Purpose : std::uint64_t { choice_draw = 1, split_draw = 2 };
+enum SelectionPurpose : std::uint64_t { choice_draw = 1, split_draw = 2 };
 
 using Indices = std::vector<std::size_t>;
 
