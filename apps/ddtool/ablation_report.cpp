@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <iostream>
 
-#include "study/ablation/report.hpp"
+#include "study/ablation/tables.hpp"
 #include "system/atomic_file.hpp"
 #include "system/log.hpp"
 
@@ -27,18 +27,18 @@ std::ptrdiff_t failures(const std::vector<Result>& results) {
 
 }  // namespace
 
-ExitCode run_ablation(const learning::Engine& engine, const std::string& plan_file, const std::filesystem::path& data,
+ExitCode run_ablation(const train::Engine& engine, const std::string& plan_file, const std::filesystem::path& data,
                       const std::filesystem::path& folder, const ablation::Machine& machine, bool as_json) {
     const ablation::Plan plan = read_plan(plan_file);
-    ablation::ModelStore store(engine, data, folder / "models", machine);
+    const ablation::ModelStore store(engine, data, folder / "models", machine);
     const std::vector<ablation::RowResult> rows = run_rows(plan, store);
     const std::vector<ablation::TimingResult> timings = run_timings(plan, rows, store.data(), engine);
     const Table accuracy = accuracy_table(plan, rows);
     const Table times = timing_table(plan, timings);
-    const Json report{{"plan", plan_file}, {"rows", accuracy.json()}, {"times", times.json()}};
-    write_file(folder / "ablation.json", report.dump(2) + "\n");
+    const Json json{{"plan", plan_file}, {"rows", accuracy.json()}, {"times", times.json()}};
+    write_file(folder / "ablation.json", json.dump(2) + "\n");
     write_file(folder / "ablation.md", accuracy.markdown() + "\n" + times.markdown());
-    std::cout << (as_json ? report.dump(2) + "\n" : accuracy.text() + "\n" + times.text());
+    std::cout << (as_json ? json.dump(2) + "\n" : accuracy.text() + "\n" + times.text());
     const std::ptrdiff_t skipped = failures(rows) + failures(timings);
     if (skipped > 0) {
         log_warning(std::to_string(skipped) + " rows could not be run here: their notes say why");

@@ -8,7 +8,6 @@
 #include "dataset/build_settings.hpp"
 #include "dataset/counts.hpp"
 #include "dataset/image_files.hpp"
-#include "dataset/part_runner.hpp"
 #include "dataset_report.hpp"
 #include "system/log.hpp"
 #include "system/progress.hpp"
@@ -34,10 +33,10 @@ bool all_runs_made(const std::vector<RunResult>& results) {
     const auto failed =
         std::count_if(results.begin(), results.end(), [](const RunResult& result) { return !result.failure.empty(); });
     const auto damaged = std::count_if(results.begin(), results.end(), [](const RunResult& result) {
-        return result.part && result.part->log_problems > 0;
+        return result.value && result.value->log_problems > 0;
     });
     const auto foreign = std::count_if(results.begin(), results.end(), [](const RunResult& result) {
-        return result.part && result.part->program != program_version();
+        return result.value && result.value->program != program_version();
     });
     const auto warn = [&](std::ptrdiff_t count, const std::string& what) {
         if (count > 0) {

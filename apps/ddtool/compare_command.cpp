@@ -61,7 +61,7 @@ ExitCode run_comparison(const CompareRequest& request, const Json& settings) {
         compare::draw_worlds(request.folder, experiment, cells, results, store, threads);
     const bool has_page = compare::write_report(request.folder, experiment, cells, results, pictures);
     if (request.as_json) {
-        std::cout << compare::report_json(experiment, cells, results).dump(2) << '\n';
+        std::cout << compare::results_json(experiment, cells, results).dump(2) << '\n';
     } else {
         std::cout << compare::overview_table(experiment, compare::summaries_of(experiment, cells, results)).text();
     }

@@ -5,8 +5,7 @@
 
 #include "dataset/counts.hpp"
 #include "dataset/description.hpp"
-#include "dataset/histograms.hpp"
-#include "dataset/montages.hpp"
+#include "dataset/pictures.hpp"
 #include "report/page.hpp"
 #include "system/log.hpp"
 
@@ -37,7 +36,7 @@ std::vector<html::Picture> montages_in(const std::filesystem::path& pictures) {
     for (const dataset::LabelRule rule : {dataset::LabelRule::fisher, dataset::LabelRule::dispersion}) {
         for (const Swarm swarm : {Swarm::response, Swarm::step, Swarm::absolute}) {
             const std::string title = std::string("Label ") + dataset::label_rule_names[dataset::index_of(rule)] +
-                                      ", image " + Json(swarm).get<std::string>();
+                                      ", image " + swarm_names[dataset::index_of(swarm)];
             montages.push_back(html::picture_of_file(title, pictures / dataset::montage_name(rule, swarm)));
         }
     }

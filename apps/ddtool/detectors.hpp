@@ -8,7 +8,7 @@
 namespace ddtool {
 
 /// Every detector that the commands know: those of the library, and TorchScript files, for which LibTorch's program
-/// takes over (learning::engine).
+/// takes over (train::engine).
 DetectorTable all_detectors();
 
 /// How the detector sees a swarm: the images of its network, for a rule those of the network that is carried inside.

@@ -24,7 +24,7 @@ std::vector<char*> arguments_in(std::string& command_line) {
 
 }  // namespace
 
-const learning::Engine& provide_engine() {
+const train::Engine& provide_engine() {
     const std::filesystem::path program =
         std::filesystem::read_symlink("/proc/self/exe").parent_path() / "ddtool-torch";
     std::string command_line = read_file("/proc/self/cmdline");

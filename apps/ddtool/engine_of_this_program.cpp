@@ -4,9 +4,9 @@
 
 namespace ddtool {
 
-const learning::Engine& provide_engine() {
+const train::Engine& provide_engine() {
     expect_memory_for_libtorch();
-    return torch_engine();
+    return train_torch::torch_engine();
 }
 
 }  // namespace ddtool

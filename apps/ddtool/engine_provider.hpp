@@ -5,6 +5,6 @@
 namespace ddtool {
 
 /// Where this program has its engine: in itself (ddtool-torch), or in that one, as which it then starts anew (ddtool).
-const learning::Engine& provide_engine();
+const train::Engine& provide_engine();
 
 }  // namespace ddtool

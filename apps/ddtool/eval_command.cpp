@@ -23,8 +23,8 @@
 namespace ddtool {
 namespace {
 
-using detection::Evaluation;
-using detection::Task;
+using judge::Evaluation;
+using judge::Task;
 
 struct EvalRequest {
     std::string data;
@@ -45,8 +45,8 @@ Task task_from(const Json& settings) {
             .part = static_cast<dataset::Part>(1 + place("part", std::span(dataset::part_names).subspan(1)))};
 }
 
-std::vector<detection::Detector> rules_fitted_on(const std::string& folder, const Task& task) {
-    std::vector<detection::Detector> rules = detection::fitted_rules(dataset::Dataset(folder), task.label, task.split);
+std::vector<judge::Detector> rules_fitted_on(const std::string& folder, const Task& task) {
+    std::vector<judge::Detector> rules = judge::fitted_rules(dataset::Dataset(folder), task.label, task.split);
     if (std::isnan(rules.front().threshold)) {
         log_warning(folder + ": no sample of one of the classes to fit rules on: they have scores, but decide nothing");
     }
@@ -54,9 +54,9 @@ std::vector<detection::Detector> rules_fitted_on(const std::string& folder, cons
 }
 
 /// Models of one name and seed get the names of their files behind.
-void tell_apart(std::vector<detection::Detector>& models, const std::vector<std::string>& files) {
+void tell_apart(std::vector<judge::Detector>& models, const std::vector<std::string>& files) {
     std::map<std::pair<std::string, std::optional<std::uint64_t>>, std::size_t> count;
-    for (const detection::Detector& model : models) {
+    for (const judge::Detector& model : models) {
         ++count[{model.name, model.seed}];
     }
     for (std::size_t index = 0; index < models.size(); ++index) {
@@ -66,14 +66,14 @@ void tell_apart(std::vector<detection::Detector>& models, const std::vector<std:
     }
 }
 
-std::vector<detection::Detector> load_models(const std::vector<std::string>& files, const Json& options) {
-    std::vector<detection::Detector> models;
+std::vector<judge::Detector> load_models(const std::vector<std::string>& files, const Json& options) {
+    std::vector<judge::Detector> models;
     models.reserve(files.size());
     for (const std::string& file : files) {
-        models.push_back(detection::detector_of(
-            learning::engine().load(file, {.device = options.at("device"),
-                                           .precision = options.at("precision"),
-                                           .threads = options.at("threads").get<std::size_t>()})));
+        models.push_back(
+            judge::detector_of(train::engine().load(file, {.device = options.at("device"),
+                                                           .precision = options.at("precision"),
+                                                           .threads = options.at("threads").get<std::size_t>()})));
     }
     tell_apart(models, files);
     return models;
@@ -81,7 +81,7 @@ std::vector<detection::Detector> load_models(const std::vector<std::string>& fil
 
 void print(const dataset::Dataset& data, const std::vector<Evaluation>& evaluations, const Task& task) {
     std::string text;
-    for (const detection::NamedTable& each : detection::evaluation_tables(data, evaluations, task)) {
+    for (const judge::NamedTable& each : judge::evaluation_tables(data, evaluations, task)) {
         text += (text.empty() ? "" : "\n") + each.table.text();
     }
     std::cout << text;
@@ -91,7 +91,7 @@ html::Page page_of(const std::filesystem::path& folder, const std::string& data_
                    const std::vector<Evaluation>& evaluations, const Task& task) {
     html::Page page("ddtool eval", html::name_of(folder));
     page.text("Data set " + data_name + ", " + name_of(task) + ".");
-    detection::add_evaluations(page, folder, data, evaluations, task);
+    judge::add_evaluations(page, folder, data, evaluations, task);
     return page;
 }
 
@@ -99,12 +99,12 @@ ExitCode ablate(const EvalRequest& request, const Json& options) {
     if (request.out.empty()) {
         throw UsageError("--ablation: expected --out, a folder for what it trains");
     }
-    return run_ablation(learning::engine(), request.ablation, request.data, request.out,
+    return run_ablation(train::engine(), request.ablation, request.data, request.out,
                         {.device = options.at("device"), .threads = options.at("threads")}, request.as_json);
 }
 
 void print_label_noise(const EvalRequest& request, const dataset::Dataset& data) {
-    const Table table = detection::label_noise_table(data);
+    const Table table = judge::label_noise_table(data);
     if (table.empty()) {
         throw Error(request.data +
                     ": no two of its runs differ in their seeds alone, as in configs/dataset/label-noise.json");
@@ -117,31 +117,31 @@ ExitCode evaluate(const EvalRequest& request, const Json& settings) {
         return ablate(request, settings.at("run"));
     }
     const Task task = task_from(settings);
-    std::vector<detection::Detector> detectors = load_models(request.models, settings.at("run"));
+    std::vector<judge::Detector> detectors = load_models(request.models, settings.at("run"));
     const dataset::Dataset data(request.data);
     if (request.label_noise) {
         print_label_noise(request, data);
         return ExitCode::done;
     }
-    for (detection::Detector& rule : rules_fitted_on(request.fit.empty() ? request.data : request.fit, task)) {
+    for (judge::Detector& rule : rules_fitted_on(request.fit.empty() ? request.data : request.fit, task)) {
         detectors.push_back(std::move(rule));
     }
     std::vector<Evaluation> evaluations;
     evaluations.reserve(detectors.size());
-    for (const detection::Detector& detector : detectors) {
-        evaluations.push_back(detection::evaluate(data, detector, task));
+    for (const judge::Detector& detector : detectors) {
+        evaluations.push_back(judge::evaluate(data, detector, task));
     }
     const bool tested = !evaluations.front().samples.indices.empty();
     if (!tested) {
         log_warning(request.data + ": no samples for " + name_of(task) +
                     ": only their agreement with the physics is known");
     }
-    const std::string report = detection::report_json(data, evaluations, task).dump(2) + "\n";
+    const std::string report = judge::evaluation_json(data, evaluations, task).dump(2) + "\n";
     if (!request.out.empty()) {
         write_file(made_folder(request.out) / "eval.json", report);
     }
     if (!request.out.empty() && tested) {
-        detection::draw_evaluations(request.out, data, evaluations, detection::detailed(evaluations).front());
+        judge::draw_evaluations(request.out, data, evaluations, judge::detailed(evaluations).front());
         log_info("pictures in " + request.out);
     }
     const bool has_page =
@@ -160,7 +160,7 @@ ExitCode evaluate(const EvalRequest& request, const Json& settings) {
 
 Command eval_command() {
     const auto request = std::make_shared<EvalRequest>();
-    const learning::RunOptions run;
+    const train::RunOptions run;
     return {
         .name = "eval",
         .summary = "How well models and simple rules detect degeneracy on a data set",

@@ -15,13 +15,13 @@ struct ExportRequest {
 };
 
 ExitCode export_model(const ExportRequest& request) {
-    learning::engine().export_model(request.checkpoint, request.out);
+    train::engine().export_model(request.checkpoint, request.out);
     log_info("wrote " + request.out);
     if (request.as_json) {
         const Json report{
             {"command", "export"},
             {"checkpoint", request.checkpoint},
-            {"files", {{"torch_script", request.out}, {"plain_weights", learning::plain_weights_beside(request.out)}}}};
+            {"files", {{"torch_script", request.out}, {"plain_weights", train::plain_weights_beside(request.out)}}}};
         std::cout << report.dump(2) << '\n';
     }
     return ExitCode::done;

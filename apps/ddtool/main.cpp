@@ -14,7 +14,7 @@ ExitCode run_reporting_failure(int argc, char** argv) {
     try {
         reserve_standard_descriptors();
         explain_bus_errors();
-        learning::set_engine_provider(provide_engine);
+        train::set_engine_provider(provide_engine);
         const ExitCode code = run_program(all_commands(), argc, argv);
         flush_results();
         return code;

@@ -12,17 +12,17 @@ namespace {
 struct TrainOptions {
     std::string data;
     std::string out;
-    learning::TrainRequest rest;  ///< all but data and out, which the command line gives as text, and the settings
+    train::TrainRequest rest;  ///< all but data and out, which the command line gives as text, and the settings
     bool as_json = false;
 };
 
-ExitCode train(const TrainOptions& options, const Json& settings) {
-    const learning::Engine& engine = learning::engine();
-    learning::TrainRequest request = options.rest;
+ExitCode train_network(const TrainOptions& options, const Json& settings) {
+    const train::Engine& engine = train::engine();
+    train::TrainRequest request = options.rest;
     request.data = options.data;
     request.out = options.out;
-    request.settings = settings.get<learning::TrainSettings>();
-    const learning::TrainResult result = engine.train(request);
+    request.settings = settings.get<train::TrainSettings>();
+    const train::TrainResult result = engine.train(request);
     if (!result.leads) {
         return ExitCode::done;
     }
@@ -42,7 +42,7 @@ ExitCode train(const TrainOptions& options, const Json& settings) {
 
 Command train_command() {
     const auto options = std::make_shared<TrainOptions>();
-    const learning::TrainSettings defaults;  // a temporary makes GCC 12 warn of one that is not initialised
+    const train::TrainSettings defaults;  // a temporary makes GCC 12 warn of one that is not initialised
     return {
         .name = "train",
         .summary = "Fits a network that reads the degree of degeneracy from particle images",
@@ -71,7 +71,7 @@ Command train_command() {
                  "last.pt is written after every epoch, and at least so often", "SECONDS"},
                 {"--json", &options->as_json, "Print JSON instead of a table"},
             },
-        .run = [options](const Json& settings) { return train(*options, settings); }};
+        .run = [options](const Json& settings) { return train_network(*options, settings); }};
 }
 
 }  // namespace ddtool

@@ -11,39 +11,39 @@
 namespace ddtool {
 namespace {
 
-html::Page train_page(const learning::Engine& engine, const learning::TrainRequest& request,
-                      const learning::TrainResult& result) {
+html::Page train_page(const train::Engine& engine, const train::TrainRequest& request,
+                      const train::TrainResult& result) {
     const std::filesystem::path pictures = request.out / "pictures";
-    const detection::Task task{.label = learning::label_rule_of(request.settings),
-                               .split = learning::split_of(request.settings),
-                               .part = dataset::Part::validation};
+    const judge::Task task{.label = train::label_rule_of(request.settings),
+                           .split = train::split_of(request.settings),
+                           .part = dataset::Part::validation};
     const dataset::Dataset data(request.data);
-    const detection::Detector model =
-        detection::detector_of(engine.load(result.best, {.device = request.device, .threads = request.threads}));
-    const std::array evaluations{detection::evaluate(data, model, task)};
-    detection::draw_evaluations(pictures, data, evaluations, evaluations.front());
+    const judge::Detector model =
+        judge::detector_of(engine.load(result.best, {.device = request.device, .threads = request.threads}));
+    const std::array evaluations{judge::evaluate(data, model, task)};
+    judge::draw_evaluations(pictures, data, evaluations, evaluations.front());
 
     html::Page page("ddtool train", html::name_of(request.out));
     page.text("Data set " + html::name_of(request.data) + ". All but the curves is of the best epoch's network on " +
               name_of(task) + ", by which it was chosen; ddtool eval tells how it does on the part test.");
     page.section("Training").table(result_table(result));
     page.pictures(std::array{html::picture_of_file("Curves over the epochs", request.out / "curves.png")});
-    detection::add_evaluations(page, pictures, data, evaluations, task);
+    judge::add_evaluations(page, pictures, data, evaluations, task);
     page.section("Settings").text("Made by " + program_version() + ".").values("Settings", Json(request.settings));
     return page;
 }
 
 }  // namespace
 
-Table result_table(const learning::TrainResult& result) {
+Table result_table(const train::TrainResult& result) {
     Table table({{"best epoch"}, {"of"}, {"loss", 4}, {"accuracy", 4}, {"F1", 4}, {"AUC", 4}});
-    const learning::EpochRecord& best = result.best_epoch;
+    const train::EpochRecord& best = result.best_epoch;
     table.add_row({static_cast<std::int64_t>(best.epoch), static_cast<std::int64_t>(result.epochs),
                    best.validation_loss, best.validation_accuracy, best.validation_f1, best.validation_auc});
     return table;
 }
 
-Json result_json(const learning::TrainRequest& request, const learning::TrainResult& result) {
+Json result_json(const train::TrainRequest& request, const train::TrainResult& result) {
     return {{"command", "train"},
             {"settings", request.settings},
             {"epochs", result.epochs},
@@ -51,8 +51,8 @@ Json result_json(const learning::TrainRequest& request, const learning::TrainRes
             {"files", {{"checkpoint", result.best}, {"folder", request.out}}}};
 }
 
-bool write_train_page(const learning::Engine& engine, const learning::TrainRequest& request,
-                      const learning::TrainResult& result) {
+bool write_train_page(const train::Engine& engine, const train::TrainRequest& request,
+                      const train::TrainResult& result) {
     return html::write_page(request.out / "report.html", [&] { return train_page(engine, request, result); });
 }
 

@@ -1,12 +1,15 @@
 #!/usr/bin/env python3
 """Checks the modules of lib/: each CMake target's USES names exactly the modules whose headers it includes, all of them
 stand before it in the order of declaration, installed headers include installed headers only, and docs/architecture.md
-lists the modules in that order. Usage: modules.py SOURCE_DIR"""
+lists the modules in that order, and an inner namespace is called like its module. Usage: modules.py SOURCE_DIR"""
 
 import pathlib
 import re
 import sys
 
+NAMESPACE = re.compile(r"^namespace ddtool::(\w+)", re.MULTILINE)
+# Inner namespaces that are older than the rule.
+OLDER = {"foxglove", "html", "native", "plot", "ros"}
 INCLUDE = re.compile(r'^\s*#\s*include "([^"]+/[^"]+)"', re.MULTILINE)
 # Floors of a module that is one target: a floor may only use those before it.
 FLOORS = {"logs": ["logs/containers", "logs/messages", "logs/stream"]}
@@ -65,6 +68,13 @@ def problems_of(module, earlier, modules):
         yield f"{module.name} declares {name} in USES and includes none of its headers"
 
 
+def wrong_namespaces(module, modules):
+    for path in module.files(modules):
+        for name in NAMESPACE.findall(path.read_text()):
+            if name != module.name and name not in OLDER:
+                yield f"{path}: the namespace ddtool::{name} is not called like the module, {module.name}"
+
+
 def wrong_floors(lib, name, floors):
     for index, floor in enumerate(floors):
         for path in sorted((lib / name / "src" / floor).glob("*.?pp")):
@@ -79,6 +89,7 @@ def main(source_dir):
     problems = []
     for index, module in enumerate(modules):
         problems += problems_of(module, {other.name for other in modules[:index]}, modules)
+        problems += wrong_namespaces(module, modules)
     for name, floors in FLOORS.items():
         problems += wrong_floors(lib, name, floors)
     places = {path.name for path in lib.iterdir() if path.is_dir()}

@@ -20,28 +20,28 @@ torch::Tensor drawn_images(std::int64_t count) {
         .contiguous(torch::MemoryFormat::ChannelsLast);
 }
 
-std::shared_ptr<models::Network> drawn_network(const std::string& name) {
+std::shared_ptr<train_torch::Network> drawn_network(const std::string& name) {
     torch::set_num_threads(1);
     torch::manual_seed(1);
-    return models::make_network(name, size_px);
+    return train_torch::make_network(name, size_px);
 }
 
 /// Forward, loss, backward, clipping and the step of Adam, as Trainer does them.
 void training_step(benchmark::State& state, const std::string& name, const std::string& precision) {
-    const std::shared_ptr<models::Network> network = drawn_network(name);
+    const std::shared_ptr<train_torch::Network> network = drawn_network(name);
     network->train();
     const std::vector<torch::Tensor> parameters = network->parameters();
-    const auto optimizer = training::make_optimizer({}, parameters);
+    const auto optimizer = train_torch::make_optimizer({}, parameters);
     const torch::Tensor images = drawn_images(batch_size);
     const torch::Tensor classes = torch::arange(batch_size).remainder(2);
     for ([[maybe_unused]] auto _ : state) {
         torch::Tensor logits;
         {
-            const models::MixedPrecision mixed(precision, torch::kCPU);
+            const train_torch::MixedPrecision mixed(precision, torch::kCPU);
             logits = network->forward(images);
         }
         optimizer->zero_grad();
-        training::sample_losses("cross-entropy", logits, classes).mean().backward();
+        train_torch::sample_losses("cross-entropy", logits, classes).mean().backward();
         torch::nn::utils::clip_grad_norm_(parameters, 1.0);
         optimizer->step();
     }
@@ -54,7 +54,7 @@ BENCHMARK_CAPTURE(training_step, ddmodel_bf16, "ddmodel", "bf16")->Unit(benchmar
 /// One image through the network as it was trained, not exported.
 void plain_forward(benchmark::State& state, const std::string& name) {
     const torch::NoGradGuard no_grad;
-    const std::shared_ptr<models::Network> network = drawn_network(name);
+    const std::shared_ptr<train_torch::Network> network = drawn_network(name);
     network->eval();
     const torch::Tensor image = drawn_images(1);
     for ([[maybe_unused]] auto _ : state) {

@@ -21,7 +21,7 @@
 #include "sim/world_catalogue.hpp"
 #include "study/ablation/plan.hpp"
 #include "study/compare/experiment.hpp"
-#include "train/torch/training_state.hpp"
+#include "train/torch/checkpoint.hpp"
 #include "train/train_settings.hpp"
 
 namespace ddtool::fuzz {
@@ -86,7 +86,7 @@ void read_description(std::span<const char> content) {
 /// As training/checkpoint.cpp does, which needs LibTorch.
 void read_training_state(std::span<const char> content) {
     try {
-        (void)parse_json({content.data(), content.size()}, "state").get<training::TrainingState>();
+        (void)parse_json({content.data(), content.size()}, "state").get<train_torch::TrainingState>();
     } catch (const Json::exception& error) {
         throw Error(error.what());
     }
@@ -111,10 +111,10 @@ void read_build_settings(std::span<const char> content) {
 }
 
 void read_train_settings(std::span<const char> content) {
-    const learning::TrainSettings defaults;
+    const train::TrainSettings defaults;
     Json train = defaults;
     merge_settings_file(train, input_file(content, "settings.json"));
-    learning::expect_valid(train.get<learning::TrainSettings>());
+    train::expect_valid(train.get<train::TrainSettings>());
 }
 
 void read_simulation(std::span<const char> content) {

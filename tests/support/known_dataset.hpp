@@ -33,8 +33,8 @@ public:
         }
         dataset::Manifest manifest{"test",
                                    dataset::default_build_json(),
-                                   Json::object(),
-                                   {{"world", "w"}, {"log", "l"}},
+                                   {},
+                                   {{dataset::SourceKind::world, "w"}, {dataset::SourceKind::log, "l"}},
                                    {run("random:office:1"), run("random:office:2"), run("l")},
                                    {}};
         manifest.shards.push_back(dataset::write_shard(root_, "shard-0000", records, [&](std::size_t sample) {

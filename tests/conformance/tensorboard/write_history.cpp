@@ -10,13 +10,13 @@ int main(int argc, char** argv) {
             std::cerr << "usage: write_history FOLDER\n";
             return 2;
         }
-        std::vector<ddtool::learning::EpochRecord> epochs;
+        std::vector<ddtool::train::EpochRecord> epochs;
         for (std::uint64_t epoch = 1; epoch <= 5; ++epoch) {
             const auto number = static_cast<double>(epoch);
             epochs.push_back({epoch, 1e-3 / number, 0.7 / number, 1.0 - 0.3 / number, 0.8 / number, 1.0 - 0.4 / number,
                               1.0 - 0.5 / number, 1.0 - 0.1 / number, 12.5, 1.7e9 + 12.5 * number});
             if (epoch == 3 || epoch == 5) {
-                ddtool::learning::write_history(argv[1], epochs);
+                ddtool::train::write_history(argv[1], epochs);
             }
         }
         return 0;

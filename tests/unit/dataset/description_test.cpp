@@ -29,7 +29,7 @@ protected:
             record.dispersion = {rank, rank, rank, -rank};
             record.label.fill(index < 6 ? Label::not_degenerate : Label::degenerate);
         }
-        Manifest manifest{"this build", Json::object(), Json::object(), {{"world", "drawn"}}, {}, {}};
+        Manifest manifest{"this build", Json::object(), {}, {{SourceKind::world, "drawn"}}, {}, {}};
         manifest.runs.resize(2);
         manifest.runs[0].scene = "random:office:1";
         manifest.runs[1].scene = "random:office:2";

@@ -11,6 +11,7 @@
 
 #include "ddtool/base/error.hpp"
 #include "ddtool/robot/pose2.hpp"
+#include "swarm/physical_degeneracy.hpp"
 
 namespace ddtool::dataset {
 namespace {

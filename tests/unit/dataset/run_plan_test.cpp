@@ -6,7 +6,7 @@
 #include <set>
 
 #include "dataset/build_settings.hpp"
-#include "dataset/part_runner.hpp"
+#include "dataset/parts.hpp"
 #include "thrown_text.hpp"
 
 namespace ddtool::dataset {
@@ -43,10 +43,10 @@ TEST(PlanRuns, DrawsEachRunFromTheMix) {
     for (const PlannedRun& run : plan.runs) {
         ++particles[run.entry.particles];
         EXPECT_EQ(run.entry.update_distance_m, 0.5);
-        EXPECT_EQ(run.configuration.at("filter").at("particles"), run.entry.particles);
-        EXPECT_EQ(run.configuration.at("simulation").at("lidar").at("preset"), run.entry.lidar);
-        EXPECT_EQ(run.configuration.at("filter").at("seed"), run.entry.seed);
-        EXPECT_EQ(run.configuration.at("filter").at("method"), run.entry.method);
+        EXPECT_EQ(run.key.configuration().at("filter").at("particles"), run.entry.particles);
+        EXPECT_EQ(run.key.configuration().at("simulation").at("lidar").at("preset"), run.entry.lidar);
+        EXPECT_EQ(run.key.configuration().at("filter").at("seed"), run.entry.seed);
+        EXPECT_EQ(run.key.configuration().at("filter").at("method"), run.entry.method);
         methods.insert(run.entry.method);
     }
     EXPECT_EQ(methods.size(), 2U);

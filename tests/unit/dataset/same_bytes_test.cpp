@@ -2,10 +2,10 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <thread>
-#include <tuple>
 
 #include "thrown_text.hpp"
 #include "tiny_build.hpp"
@@ -95,22 +95,42 @@ TEST_F(SameBytesTest, WhateverWasInTheFolderBefore) {
     expect_as_whole("older");
 }
 
-TEST_F(SameBytesTest, ADamagedPartIsNamed) {
+/// What is written on stderr meanwhile.
+template <typename Function>
+std::string said_by(const Function& function) {
+    testing::internal::CaptureStderr();
+    function();
+    return testing::internal::GetCapturedStderr();
+}
+
+TEST_F(SameBytesTest, ADamagedPartIsNamedAndMadeAnew) {
     const auto results = test::make_in(folder_ / "whole", settings_);
-    const auto file = results[1].part->folder / results[1].part->shard.particles.file;
-    std::string bytes = read_file(file);
+    const auto file = results[1].value->folder / results[1].value->shard.particles.file;
+    const std::string whole = read_file(file);
+    std::string bytes = whole;
     bytes[bytes.size() - 3] = static_cast<char>(bytes[bytes.size() - 3] ^ 1);
     write_file(file, bytes);
-    EXPECT_THAT(thrown_text([&] { test::build_in(folder_ / "whole", settings_); }),
-                HasSubstr(results[1].part->shard.particles.file + ": damaged"));
+    const std::string said = said_by([&] { test::build_in(folder_ / "again", settings_); });
+    EXPECT_THAT(said, Not(HasSubstr("damaged")));
+    EXPECT_THAT(said_by([&] { test::build_in(folder_ / "whole", settings_); }),
+                HasSubstr(results[1].value->shard.particles.file + ": damaged"));
+    EXPECT_EQ(read_file(file), whole);
+    expect_as_whole("again");
+}
+
+TEST_F(SameBytesTest, MergingTakesADamagedPartForAMissingOne) {
+    const auto results = test::make_in(folder_ / "whole", settings_);
+    write_file(results[1].value->folder / results[1].value->shard.samples.file, "no rows");
+    EXPECT_THAT(thrown_text([&] { test::merge_in(folder_ / "whole", settings_, {}); }),
+                HasSubstr("1 of 8 parts are missing, the first of"));
 }
 
 TEST_F(SameBytesTest, ADescriptionThatLacksSomethingIsNamedInOneLine) {
     const auto results = test::make_in(folder_ / "whole", settings_);
     const PlannedRun run = plan_runs(settings_).runs[1];
-    const auto file = results[1].part->folder / (run.entry.id + ".json");
+    const auto file = results[1].value->folder / (run.entry.id + ".json");
     const Json whole = Json::parse(read_file(file));
-    std::vector<Json> damaged{Json{{"configuration", run.configuration}}};  // no part at all
+    std::vector<Json> damaged{Json{{"configuration", run.key.configuration()}}};  // no part at all
     for (const auto& [key, value] : whole.at("part").items()) {
         Json without = whole;
         without["part"].erase(key);
@@ -120,10 +140,12 @@ TEST_F(SameBytesTest, ADescriptionThatLacksSomethingIsNamedInOneLine) {
         damaged.push_back(other_type);
     }
     const PartStore store(folder_ / "whole", {});
+    EXPECT_TRUE(store.find(run));
     for (const Json& json : damaged) {
         write_file(file, json.dump());
-        const std::string text = thrown_text([&] { std::ignore = store.find(run); });
-        EXPECT_THAT(text, AllOf(HasSubstr(file.string() + ": expected"), Not(HasSubstr("\n")))) << json.dump(1);
+        const std::string text = said_by([&] { EXPECT_FALSE(store.find(run)); });
+        EXPECT_THAT(text, HasSubstr(file.string() + ": damaged, so it counts as missing")) << json.dump(1);
+        EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 1) << text;
     }
 }
 

@@ -25,7 +25,7 @@ std::string bits(std::span<const Row> rows) {
 class StorageTest : public ::testing::Test {
 protected:
     StorageTest() {
-        Manifest manifest{"this build", {{"seed", 1}}, Json::object(), {{"world", "room"}}, {RunEntry()}, {}};
+        Manifest manifest{"this build", {{"seed", 1}}, {}, {{SourceKind::world, "room"}}, {RunEntry()}, {}};
         manifest.runs[0].scene = "room";
         manifest.shards.push_back(
             test::write_drawn_shard(root_, "shard-0000", {samples_.begin(), samples_.begin() + 3}));

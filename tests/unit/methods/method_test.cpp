@@ -88,7 +88,8 @@ TEST(Methods, EachPartOfThePapersChangesTheOutcomeAlone) {
 
 TEST(Methods, AskTheirDetectorInDoubtUnlessItIsThereToBeComparedWith) {
     const auto gate_of = [](const std::string& method, const std::string& detector, const std::string& gate = "") {
-        MethodSettings settings{.method = method};
+        MethodSettings settings;
+        settings.method = method;
         settings.parts.detector = detector;
         settings.parts.gate = gate;
         return parts_of(settings).gate;

@@ -15,7 +15,8 @@ std::vector<float> drawn_image(double share) {
     for (float& pixel : image) {
         pixel = random.uniform() < share ? 1.0F : 0.0F;
     }
-    for (const std::size_t corner : {std::size_t{0}, stem_size_px - 1, stem_size_px * (stem_size_px - 1), stem_size_px * stem_size_px - 1}) {
+    for (const std::size_t corner :
+         {std::size_t{0}, stem_size_px - 1, stem_size_px * (stem_size_px - 1), stem_size_px * stem_size_px - 1}) {
         image[corner] = share > 0.0 ? 1.0F : 0.0F;
     }
     return image;

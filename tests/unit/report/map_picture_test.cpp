@@ -50,9 +50,9 @@ MapRaster free_map_with_one_wall_cell(std::size_t width, std::size_t height) {
 
 constexpr std::array<std::uint8_t, 3> free_ground{254, 254, 254};
 constexpr std::array<std::uint8_t, 3> black{0, 0, 0};
-constexpr std::array<std::uint8_t, 3> blue{178, 114, 0};   // the path
-constexpr std::array<std::uint8_t, 3> green{115, 158, 0};  // its start
-constexpr std::array<std::uint8_t, 3> path_red{30, 50, 213};    // its end
+constexpr std::array<std::uint8_t, 3> blue{178, 114, 0};      // the path
+constexpr std::array<std::uint8_t, 3> green{115, 158, 0};     // its start
+constexpr std::array<std::uint8_t, 3> path_red{30, 50, 213};  // its end
 
 TEST(MapPicture, ShowsACellAsASquareWhereThereIsRoom) {
     const Pixels pixels = picture_of(free_map_with_one_wall_cell(40, 20), {});

@@ -22,6 +22,24 @@ TEST(InterruptRequest, StartsAnew) {
     EXPECT_FALSE(InterruptRequest().made());
 }
 
+TEST(InterruptRequest, InsideAnotherAsksBoth) {
+    const InterruptRequest outer;
+    {
+        const InterruptRequest inner;
+        std::raise(SIGINT);
+        EXPECT_TRUE(inner.made());
+    }
+    EXPECT_TRUE(outer.made());
+    EXPECT_TRUE(InterruptRequest().made()) << "of the work that begins inside, too";
+}
+
+TEST(InterruptRequest, AnEndedOneInsideLeavesTheOtherAtWork) {
+    const InterruptRequest outer;
+    { const InterruptRequest inner; }
+    std::raise(SIGTERM);
+    EXPECT_TRUE(outer.made());
+}
+
 TEST(InterruptRequestDeathTest, TheSecondSignalEndsTheProgram) {
     EXPECT_EXIT(
         {

@@ -12,7 +12,7 @@
 #include "ddtool/network/particle_renderer.hpp"
 #include "drawn_swarm.hpp"
 
-namespace ddtool::learning {
+namespace ddtool::train {
 namespace {
 
 using Particles = std::vector<SnapshotParticle>;
@@ -220,4 +220,4 @@ TEST(Augmentation, KeepsWhatIsNotFiniteApart) {
 }
 
 }  // namespace
-}  // namespace ddtool::learning
+}  // namespace ddtool::train

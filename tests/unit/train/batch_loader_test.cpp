@@ -12,7 +12,7 @@
 #include "swarm_dataset.hpp"
 #include "thrown_text.hpp"
 
-namespace ddtool::learning {
+namespace ddtool::train {
 namespace {
 
 using test::SwarmDataset;
@@ -159,4 +159,4 @@ TEST_F(BatchLoaderTest, EndsWheneverItIsNoLongerWanted) {
 }
 
 }  // namespace
-}  // namespace ddtool::learning
+}  // namespace ddtool::train

@@ -6,7 +6,7 @@
 #include "ddtool/base/random.hpp"
 #include "ddtool/swarm/particle_snapshot.hpp"
 
-namespace ddtool::learning::test {
+namespace ddtool::train::test {
 
 /// Particles whose every value is drawn: an oblong swarm of a metre or so about (40, -30) m that drove about 0.3 m.
 /// The log-likelihood is the particle's number.
@@ -24,4 +24,4 @@ inline std::vector<SnapshotParticle> drawn_swarm(std::size_t count, std::uint64_
     return particles;
 }
 
-}  // namespace ddtool::learning::test
+}  // namespace ddtool::train::test

@@ -12,7 +12,7 @@
 #include "thrown_text.hpp"
 #include "train/event_file.hpp"
 
-namespace ddtool::learning {
+namespace ddtool::train {
 namespace {
 
 using ddtool::test::TemporaryFolder;
@@ -108,4 +108,4 @@ TEST(History, NamesTheFileThatCannotBeWritten) {
 }
 
 }  // namespace
-}  // namespace ddtool::learning
+}  // namespace ddtool::train

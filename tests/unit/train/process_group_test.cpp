@@ -7,7 +7,7 @@
 
 #include "thrown_text.hpp"
 
-namespace ddtool::learning {
+namespace ddtool::train {
 namespace {
 
 using Variables = std::map<std::string, std::string>;
@@ -90,10 +90,11 @@ TEST(ProcessGroup, IsSlurms) {
 
 TEST(ProcessGroup, IsNoneForOneProcess) {
     EXPECT_FALSE(group_in(environment_with(torchrun, {{"RANK", "0"}, {"WORLD_SIZE", "1"}, {"LOCAL_RANK", "0"}})));
+    EXPECT_FALSE(group_in(environment_with(
+        open_mpi,
+        {{"OMPI_COMM_WORLD_RANK", "0"}, {"OMPI_COMM_WORLD_SIZE", "1"}, {"OMPI_COMM_WORLD_LOCAL_RANK", "0"}})));
     EXPECT_FALSE(group_in(
-        environment_with(open_mpi,
-             {{"OMPI_COMM_WORLD_RANK", "0"}, {"OMPI_COMM_WORLD_SIZE", "1"}, {"OMPI_COMM_WORLD_LOCAL_RANK", "0"}})));
-    EXPECT_FALSE(group_in(environment_with(slurm, {{"SLURM_STEP_NUM_TASKS", "1"}, {"SLURM_PROCID", "0"}, {"SLURM_LOCALID", "0"}})));
+        environment_with(slurm, {{"SLURM_STEP_NUM_TASKS", "1"}, {"SLURM_PROCID", "0"}, {"SLURM_LOCALID", "0"}})));
 }
 
 TEST(ProcessGroup, IsNoneInABatchScriptOrAShellOfSlurm) {
@@ -158,4 +159,4 @@ TEST(ProcessEnvironment, TellsEmptyFromSetNot) {
 }
 
 }  // namespace
-}  // namespace ddtool::learning
+}  // namespace ddtool::train

@@ -8,7 +8,7 @@
 
 #include "thrown_text.hpp"
 
-namespace ddtool::learning {
+namespace ddtool::train {
 namespace {
 
 using Samples = std::vector<std::size_t>;
@@ -115,4 +115,4 @@ TEST(EvaluationPass, KeepsAllInOrder) {
 }
 
 }  // namespace
-}  // namespace ddtool::learning
+}  // namespace ddtool::train

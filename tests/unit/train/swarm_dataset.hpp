@@ -10,7 +10,7 @@
 #include "drawn_swarm.hpp"
 #include "temporary_folder.hpp"
 
-namespace ddtool::learning::test {
+namespace ddtool::train::test {
 
 struct SwarmDatasetOptions {
     std::size_t unlabelled = SIZE_MAX;  ///< the sample that has no label
@@ -30,7 +30,7 @@ public:
             const auto label = sample % 3 == 0 ? dataset::Label::degenerate : dataset::Label::not_degenerate;
             records[sample].label = {label, sample == options.unlabelled ? dataset::Label::unknown : label};
         }
-        dataset::Manifest manifest{"test", Json::object(), Json::object(), {{"world", "drawn"}}, {{}}, {}};
+        dataset::Manifest manifest{"test", Json::object(), {}, {{dataset::SourceKind::world, "drawn"}}, {{}}, {}};
         manifest.shards.push_back(dataset::write_shard(root_, "shard-0000", records, [&](std::size_t sample) {
             return std::span<const SnapshotParticle>(swarms[sample]);
         }));
@@ -46,4 +46,4 @@ private:
     std::optional<dataset::Dataset> data_;
 };
 
-}  // namespace ddtool::learning::test
+}  // namespace ddtool::train::test

@@ -4,7 +4,7 @@
 
 #include "thrown_text.hpp"
 
-namespace ddtool::learning {
+namespace ddtool::train {
 namespace {
 
 using ddtool::test::thrown_text;
@@ -64,4 +64,4 @@ TEST(TrainSettings, AreReadAsTheDataSetsRuleAndSplit) {
 }
 
 }  // namespace
-}  // namespace ddtool::learning
+}  // namespace ddtool::train

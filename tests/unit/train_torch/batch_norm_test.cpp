@@ -6,7 +6,7 @@
 #include "near.hpp"
 #include "train/torch/network.hpp"
 
-namespace ddtool::models {
+namespace ddtool::train_torch {
 namespace {
 
 constexpr std::int64_t channels = 3;
@@ -108,4 +108,4 @@ TEST(BatchNorm, EveryNormOfANetworkAsksTheRanks) {
 }
 
 }  // namespace
-}  // namespace ddtool::models
+}  // namespace ddtool::train_torch

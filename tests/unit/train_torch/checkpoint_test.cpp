@@ -6,7 +6,7 @@
 #include "temporary_folder.hpp"
 #include "thrown_text.hpp"
 
-namespace ddtool::training {
+namespace ddtool::train_torch {
 namespace {
 
 constexpr std::size_t trained_size_px = 64;
@@ -23,7 +23,7 @@ native::ModelDescription small_lite() {
 
 class CheckpointTest : public testing::Test {
 protected:
-    std::shared_ptr<models::Network> network_ = models::make_network("ddmodel-lite", trained_size_px);
+    std::shared_ptr<Network> network_ = make_network("ddmodel-lite", trained_size_px);
     test::TemporaryFolder folder_;
     std::filesystem::path path_ = folder_ / "best.pt";
 };
@@ -48,7 +48,7 @@ TEST_F(CheckpointTest, ADescriptionThatNoNetworkCanHaveIsNamed) {
     about.image.size_px = std::size_t{1} << 40U;
     write_checkpoint(path_, *network_, about);
     const std::string text = test::thrown_text([&] { (void)Checkpoint(path_).network(); });
-    EXPECT_TRUE(text.starts_with(path_.string() + ": its description: trained_size_px")) << text;
+    EXPECT_TRUE(text.starts_with(path_.string() + ": its description: size_px")) << text;
 }
 
 TEST_F(CheckpointTest, ACutFileIsNamed) {
@@ -62,4 +62,4 @@ TEST_F(CheckpointTest, ACutFileIsNamed) {
 }
 
 }  // namespace
-}  // namespace ddtool::training
+}  // namespace ddtool::train_torch

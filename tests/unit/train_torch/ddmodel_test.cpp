@@ -6,7 +6,7 @@
 #include "near.hpp"
 #include "parameter_count.hpp"
 
-namespace ddtool::models {
+namespace ddtool::train_torch {
 namespace {
 
 using testing::ElementsAre;
@@ -75,4 +75,4 @@ TEST(DDModel, KnowsWhereInTheImageADotIs) {
 }
 
 }  // namespace
-}  // namespace ddtool::models
+}  // namespace ddtool::train_torch

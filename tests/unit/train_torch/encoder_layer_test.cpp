@@ -1,11 +1,11 @@
-#include "train/torch/encoder_layer.hpp"
+#include "train/torch/ddmodel.hpp"
 
 #include <gmock/gmock.h>
 
 #include "formula_weights.hpp"
 #include "near.hpp"
 
-namespace ddtool::models {
+namespace ddtool::train_torch {
 namespace {
 
 constexpr std::int64_t width = 12;
@@ -60,4 +60,4 @@ TEST_P(EncoderLayerOfHeads, PermutedTokensGivePermutedAnswers) {
 INSTANTIATE_TEST_SUITE_P(Heads, EncoderLayerOfHeads, testing::Values(1, 2, 3));
 
 }  // namespace
-}  // namespace ddtool::models
+}  // namespace ddtool::train_torch

@@ -10,7 +10,7 @@
 #include "train/torch/mixed_precision.hpp"
 #include "train/torch/network.hpp"
 
-namespace ddtool::models {
+namespace ddtool::train_torch {
 namespace {
 
 using testing::ElementsAre;
@@ -146,4 +146,4 @@ INSTANTIATE_TEST_SUITE_P(Networks, EveryNetwork, testing::ValuesIn(network_names
 });
 
 }  // namespace
-}  // namespace ddtool::models
+}  // namespace ddtool::train_torch

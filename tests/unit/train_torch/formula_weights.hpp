@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
-namespace ddtool::models {
+namespace ddtool::train_torch {
 
 /// A tensor of that shape filled by a formula that gives the same on every machine and in every version of LibTorch:
 /// sin(phase + (index^2 mod 65537)), index in row-major order. scripts/make-mobilenet-reference has it too.
@@ -40,4 +40,4 @@ inline torch::Tensor formula_images(std::int64_t n, std::int64_t size_px) {
     return formula_tensor({n, 1, size_px, size_px}, 0.5).gt(0.9).to(torch::kFloat);
 }
 
-}  // namespace ddtool::models
+}  // namespace ddtool::train_torch

@@ -6,7 +6,7 @@
 
 #include "ddtool/base/error.hpp"
 
-namespace ddtool::training {
+namespace ddtool::train_torch {
 namespace {
 
 const torch::Tensor logits = torch::tensor({{0.5F, -1.0F}, {2.0F, 3.0F}});
@@ -37,4 +37,4 @@ TEST(Losses, SwappingTheClassesSwapsTheLogits) {
 TEST(Losses, AnUnknownLossIsNamed) { EXPECT_THROW(sample_losses("hinge", logits, classes), UsageError); }
 
 }  // namespace
-}  // namespace ddtool::training
+}  // namespace ddtool::train_torch

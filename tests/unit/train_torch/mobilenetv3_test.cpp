@@ -9,7 +9,7 @@
 #include "near.hpp"
 #include "parameter_count.hpp"
 
-namespace ddtool::models {
+namespace ddtool::train_torch {
 namespace {
 
 using testing::ElementsAre;
@@ -57,4 +57,4 @@ TEST(MobileNetV3, ReadsOneChannelAndEndsInTheTablesMap) {
 }
 
 }  // namespace
-}  // namespace ddtool::models
+}  // namespace ddtool::train_torch

@@ -2,11 +2,11 @@
 
 #include "ddtool/network/load_model.hpp"
 #include "temporary_folder.hpp"
-#include "train/torch/output_values.hpp"
-#include "train/torch/plain_weights.hpp"
+#include "train/torch/exported_model.hpp"
+#include "train/torch/losses.hpp"
 #include "used_network.hpp"
 
-namespace ddtool::inference {
+namespace ddtool::train_torch {
 namespace {
 
 /// Without a mark, with few, with many, with all, and with one blob in a corner.
@@ -22,7 +22,7 @@ torch::Tensor images_of_all_kinds() {
 class NativeModel : public testing::TestWithParam<std::string> {};
 
 TEST_P(NativeModel, AgreesWithTheNetworkInLibTorch) {
-    const std::shared_ptr<models::Network> network = used_network(GetParam());
+    const std::shared_ptr<Network> network = used_network(GetParam());
     const torch::Tensor images = images_of_all_kinds();
     const test::TemporaryFolder folder;
     for (const char* loss : {"cross-entropy", "bce"}) {
@@ -47,4 +47,4 @@ INSTANTIATE_TEST_SUITE_P(Networks, NativeModel, testing::Values("ddmodel", "ddmo
 });
 
 }  // namespace
-}  // namespace ddtool::inference
+}  // namespace ddtool::train_torch

@@ -5,7 +5,7 @@
 
 #include <iomanip>
 
-namespace ddtool::models {
+namespace ddtool::train_torch {
 
 /// Same shape, and no value further from the other's than the tolerance.
 inline testing::AssertionResult near(const torch::Tensor& actual, const torch::Tensor& expected, double tolerance) {
@@ -21,4 +21,4 @@ inline testing::AssertionResult near(const torch::Tensor& actual, const torch::T
                                        << expected;
 }
 
-}  // namespace ddtool::models
+}  // namespace ddtool::train_torch

@@ -4,11 +4,11 @@
 
 #include "ddtool/base/error.hpp"
 
-namespace ddtool::training {
+namespace ddtool::train_torch {
 namespace {
 
 TEST(LearningRate, RisesLinearlyThenFallsToItsFinalShare) {
-    const learning::OptimizerSettings settings{.learning_rate = 0.1, .warm_up_share = 0.2, .final_rate_share = 0.01};
+    const train::OptimizerSettings settings{.learning_rate = 0.1, .warm_up_share = 0.2, .final_rate_share = 0.01};
     constexpr std::size_t steps = 100;
     EXPECT_DOUBLE_EQ(learning_rate(settings, 9, steps), 0.05);
     EXPECT_DOUBLE_EQ(learning_rate(settings, 19, steps), 0.1);
@@ -47,4 +47,4 @@ INSTANTIATE_TEST_SUITE_P(Optimizers, Descent, testing::Values("adam", "adamw", "
 TEST(Optimizers, AnUnknownNameIsNamed) { EXPECT_THROW(make_optimizer({.name = "sgd"}, {}), UsageError); }
 
 }  // namespace
-}  // namespace ddtool::training
+}  // namespace ddtool::train_torch

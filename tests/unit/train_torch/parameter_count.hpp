@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-namespace ddtool::models {
+namespace ddtool::train_torch {
 
 inline std::int64_t parameter_count(const torch::nn::Module& network) {
     std::int64_t count = 0;
@@ -14,4 +14,4 @@ inline std::int64_t parameter_count(const torch::nn::Module& network) {
     return count;
 }
 
-}  // namespace ddtool::models
+}  // namespace ddtool::train_torch

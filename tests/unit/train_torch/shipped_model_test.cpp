@@ -5,9 +5,9 @@
 #include "ddtool/network/load_model.hpp"
 #include "ddtool/network/particle_renderer.hpp"
 #include "swarms.hpp"
-#include "train/torch/torch_script.hpp"
+#include "train/torch/exported_model.hpp"
 
-namespace ddtool::inference {
+namespace ddtool::train_torch {
 namespace {
 
 /// Degrees of drawn swarms of 30 particles whose matches keep that share of what odometry predicted along x.
@@ -60,4 +60,4 @@ INSTANTIATE_TEST_SUITE_P(Models, ShippedModel, testing::Values("ddmodel", "ddmod
                          [](const auto& info) { return info.param == "ddmodel" ? "full" : "lite"; });
 
 }  // namespace
-}  // namespace ddtool::inference
+}  // namespace ddtool::train_torch

@@ -12,7 +12,7 @@
 #include "temporary_folder.hpp"
 #include "thrown_text.hpp"
 
-namespace ddtool::training {
+namespace ddtool::train_torch {
 namespace {
 
 class TrainerTest : public testing::Test {
@@ -23,8 +23,8 @@ protected:
         test::write_swarm_dataset(folder_ / "data", 80);
     }
 
-    [[nodiscard]] learning::TrainRequest request(const std::string& out) const {
-        learning::TrainRequest request;
+    [[nodiscard]] train::TrainRequest request(const std::string& out) const {
+        train::TrainRequest request;
         request.data = folder_ / "data";
         request.out = folder_ / out;
         request.settings.image.size_px = 64;
@@ -33,21 +33,21 @@ protected:
         return request;
     }
 
-    static learning::TrainResult train(const learning::TrainRequest& request) {
-        const Ranks alone(std::nullopt, torch::Device(request.device));
+    static train::TrainResult train(const train::TrainRequest& request) {
+        const Communicator alone(std::nullopt, torch::Device(request.device));
         return Trainer(request, alone).run();
     }
 
-    static learning::TrainResult train_and_stop_after(const learning::TrainRequest& request,
-                                                      std::chrono::milliseconds delay) {
-        const Ranks alone(std::nullopt, torch::Device(request.device));
+    static train::TrainResult train_and_stop_after(const train::TrainRequest& request,
+                                                   std::chrono::milliseconds delay) {
+        const Communicator alone(std::nullopt, torch::Device(request.device));
         Trainer trainer(request, alone);
         // Joined before the trainer goes, who alone takes the signal for a request.
         std::thread disturbance([delay] {
             std::this_thread::sleep_for(delay);
             std::raise(SIGTERM);
         });
-        const learning::TrainResult result = trainer.run();
+        const train::TrainResult result = trainer.run();
         disturbance.join();
         return result;
     }
@@ -56,20 +56,20 @@ protected:
 };
 
 TEST_F(TrainerTest, LearnsWhatIsClear) {
-    learning::TrainRequest clear = request("out");
+    train::TrainRequest clear = request("out");
     clear.settings.epochs = 12;
-    const learning::TrainResult result = train(clear);
+    const train::TrainResult result = train(clear);
     EXPECT_FALSE(result.interrupted);
     EXPECT_EQ(result.best_epoch.validation_accuracy, 1.0);
     EXPECT_EQ(Checkpoint(result.best).description().metrics.at("epoch"), result.best_epoch.epoch);
 }
 
 TEST_F(TrainerTest, TheSameSeedGivesTheSameBytesAndAnotherDoesNot) {
-    learning::TrainRequest first = request("first");
+    train::TrainRequest first = request("first");
     first.settings.epochs = 2;
-    learning::TrainRequest second = first;
+    train::TrainRequest second = first;
     second.out = folder_ / "second";
-    learning::TrainRequest other = first;
+    train::TrainRequest other = first;
     other.out = folder_ / "other";
     other.settings.seed = 2;
     train(first);
@@ -80,9 +80,9 @@ TEST_F(TrainerTest, TheSameSeedGivesTheSameBytesAndAnotherDoesNot) {
 }
 
 TEST_F(TrainerTest, StoppedAndResumedGivesTheSameBytes) {
-    const learning::TrainRequest straight = request("straight");
+    const train::TrainRequest straight = request("straight");
     train(straight);
-    learning::TrainRequest broken = request("broken");
+    train::TrainRequest broken = request("broken");
     broken.resume = true;
     int stops = 0;
     while (train_and_stop_after(broken, std::chrono::milliseconds(20 * stops)).interrupted) {
@@ -93,17 +93,17 @@ TEST_F(TrainerTest, StoppedAndResumedGivesTheSameBytes) {
 }
 
 TEST_F(TrainerTest, AnEpochThatFailedAtItsEndIsEndedTheSameAfterwards) {
-    const learning::TrainRequest straight = request("straight");
+    const train::TrainRequest straight = request("straight");
     train(straight);
-    learning::TrainRequest broken = request("broken");
+    train::TrainRequest broken = request("broken");
     broken.resume = true;
     broken.checkpoint_interval_s = 0.0;
     std::filesystem::create_directories(broken.out / "best.pt");  // where the file should go
     EXPECT_THAT(test::thrown_text([&] { train(broken); }), testing::HasSubstr("best.pt"));
     std::filesystem::remove(broken.out / "best.pt");
     train(broken);
-    const std::vector<learning::EpochRecord> expected = Checkpoint(straight.out / "last.pt").state().history;
-    const std::vector<learning::EpochRecord> found = Checkpoint(broken.out / "last.pt").state().history;
+    const std::vector<train::EpochRecord> expected = Checkpoint(straight.out / "last.pt").state().history;
+    const std::vector<train::EpochRecord> found = Checkpoint(broken.out / "last.pt").state().history;
     ASSERT_EQ(found.size(), expected.size());
     for (std::size_t epoch = 0; epoch < found.size(); ++epoch) {
         EXPECT_EQ(found[epoch].learning_rate, expected[epoch].learning_rate);
@@ -113,7 +113,7 @@ TEST_F(TrainerTest, AnEpochThatFailedAtItsEndIsEndedTheSameAfterwards) {
 }
 
 TEST_F(TrainerTest, OnlyTheSameTrainingIsResumed) {
-    learning::TrainRequest first = request("out");
+    train::TrainRequest first = request("out");
     first.settings.epochs = 1;
     train(first);
     first.resume = true;
@@ -122,7 +122,7 @@ TEST_F(TrainerTest, OnlyTheSameTrainingIsResumed) {
 }
 
 TEST_F(TrainerTest, ALossThatIsNoNumberEndsItAndKeepsTheCheckpoint) {
-    learning::TrainRequest wild = request("out");
+    train::TrainRequest wild = request("out");
     wild.settings.epochs = 50;
     wild.settings.optimizer.learning_rate = 1e30;
     wild.settings.optimizer.largest_gradient_norm = 1e30;
@@ -130,11 +130,11 @@ TEST_F(TrainerTest, ALossThatIsNoNumberEndsItAndKeepsTheCheckpoint) {
 }
 
 TEST_F(TrainerTest, APartWithoutSamplesIsNamed) {
-    learning::TrainRequest request = this->request("out");
+    train::TrainRequest request = this->request("out");
     test::write_swarm_dataset(request.data, 4);
     EXPECT_THAT(test::thrown_text([&] { train(request); }),
                 testing::HasSubstr("no sample of the class not_degenerate in the part validation"));
 }
 
 }  // namespace
-}  // namespace ddtool::training
+}  // namespace ddtool::train_torch

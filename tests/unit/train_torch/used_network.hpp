@@ -10,7 +10,7 @@
 #include "ddtool/network/degree_model.hpp"
 #include "train/torch/network.hpp"
 
-namespace ddtool::inference {
+namespace ddtool::train_torch {
 
 inline constexpr std::int64_t size_px = 64;
 
@@ -43,9 +43,9 @@ inline bool differ(const std::vector<double>& degrees) {
 
 /// A network whose batch statistics are those of a batch. One step's, a tenth or a hundredth of the way there, would
 /// leave most of the layers answering every image alike.
-inline std::shared_ptr<models::Network> used_network(const std::string& name) {
+inline std::shared_ptr<Network> used_network(const std::string& name) {
     torch::manual_seed(7);
-    auto network = models::make_network(name, size_px);
+    auto network = make_network(name, size_px);
     const torch::NoGradGuard no_gradients;
     network->train();
     (void)network->forward(drawn_images(16));
@@ -58,4 +58,4 @@ inline std::shared_ptr<models::Network> used_network(const std::string& name) {
     return network;
 }
 
-}  // namespace ddtool::inference
+}  // namespace ddtool::train_torch

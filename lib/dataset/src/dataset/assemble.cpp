@@ -2,13 +2,12 @@
 
 #include <cstdio>
 
+#include "base/overloaded.hpp"
 #include "dataset/build_settings.hpp"
 #include "dataset/counts.hpp"
 #include "dataset/image_files.hpp"
-#include "dataset/record_labels.hpp"
 #include "dataset/scene_split.hpp"
 #include "dataset/selection.hpp"
-#include "methods/settings_json.hpp"
 #include "system/fingerprint.hpp"
 
 namespace ddtool::dataset {
@@ -19,10 +18,10 @@ class PartParticles {
 public:
     explicit PartParticles(const std::vector<RunResult>& results) : results_(results) {}
 
-    [[nodiscard]] const MappedShard& shard(std::uint32_t run, Check check = Check::sizes) {
+    [[nodiscard]] const MappedShard& shard(std::uint32_t run) {
         if (!shard_ || run != run_) {
-            const StoredPart& part = *results_[run].part;
-            shard_.emplace(part.folder, part.shard, check);
+            const StoredPart& part = *results_[run].value;
+            shard_.emplace(part.folder, part.shard, Check::sizes);  // read in full when it was made or found
             run_ = run;
         }
         return *shard_;
@@ -34,9 +33,11 @@ private:
     std::uint32_t run_ = 0;
 };
 
+/// The filter that made the snapshots; the defaults where nobody knows.
 RbpfSettings filter_of(const PlannedRun& run) {
-    return run.configuration.contains("filter") ? filter_settings_from_json(run.configuration.at("filter")).rbpf
-                                                : RbpfSettings{};
+    return std::visit(overloaded{[](const RecordedRun&) { return RbpfSettings{}; },
+                                 [](const auto& source) { return source.filter.rbpf; }},
+                      run.source);
 }
 
 /// All samples of all parts, labelled, run by run. first_particle is that of the part.
@@ -45,16 +46,16 @@ std::vector<SampleRecord> labelled_candidates(const RunPlan& plan, const std::ve
     std::vector<SampleRecord> records;
     PartParticles particles(results);
     for (std::uint32_t run = 0; run < results.size(); ++run) {
-        if (!results[run].part) {
+        if (!results[run].value) {
             continue;
         }
         const RbpfSettings filter = filter_of(plan.runs[run]);
-        const MappedShard& shard = particles.shard(run, Check::checksums);
+        const MappedShard& shard = particles.shard(run);
         for (SampleRecord record : shard.samples()) {
             record.source = plan.runs[run].entry.source;
             record.run = run;
             set_labels(record, shard.particles(record), filter, rules);
-            if (!plan.runs[run].configuration.contains("world")) {
+            if (!std::holds_alternative<WorldRun>(plan.runs[run].source)) {
                 record.label[index_of(LabelRule::fisher)] = Label::unknown;  // good for ranks, not for the rule
             }
             records.push_back(record);
@@ -68,7 +69,7 @@ std::vector<RunEntry> run_entries(const RunPlan& plan, const std::vector<RunResu
     for (std::size_t run = 0; run < results.size(); ++run) {
         entries.push_back(plan.runs[run].entry);
         entries.back().failure = results[run].failure;
-        if (const auto& part = results[run].part) {
+        if (const auto& part = results[run].value) {
             entries.back().scans = part->scans;
             entries.back().snapshots = part->snapshots;
             entries.back().candidates = part->shard.samples.rows;

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "dataset/part_runner.hpp"
+#include "dataset/parts.hpp"
 
 namespace ddtool::dataset {
 

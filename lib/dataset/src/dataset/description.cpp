@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "dataset/grouping.hpp"
-#include "scores/ranks.hpp"
+#include "scores/rank_statistics.hpp"
 #include "swarm/rules.hpp"
 
 namespace ddtool::dataset {
@@ -91,13 +91,15 @@ struct LabelledPairs {
 
 double physical_ratio(const SampleRecord& sample) { return sample.weak_sd_m / sample.odometry_sd_m; }
 
-Table class_table(const Json& counts) {
+Table class_table(const Counts& counts) {
     Table table({{"label"}, {"split"}, {"part"}, {class_names[1]}, {class_names[0]}});
-    for (const auto& [rule, of_rule] : counts.items()) {
-        for (const char* split : split_names) {
-            for (const auto& [part, by_class] : of_rule.at(split).items()) {
-                table.add_row({rule, std::string(split), part, by_class.at(class_names[1]).get<std::int64_t>(),
-                               by_class.at(class_names[0]).get<std::int64_t>()});
+    for (const LabelRule rule : all_label_rules) {
+        for (const Split split : all_splits) {
+            for (const Part part : used_parts) {
+                const ClassCounts& chosen = counts.of(rule).of(split, part);
+                table.add_row({name_of(rule), name_of(split), name_of(part),
+                               static_cast<std::int64_t>(chosen.degenerate),
+                               static_cast<std::int64_t>(chosen.not_degenerate)});
             }
         }
     }
@@ -120,7 +122,7 @@ Table group_table(const Dataset& data) {
 }
 
 Table agreement_table(const Dataset& data) {
-    std::map<std::string, LabelledPairs> by_kind;
+    std::map<SourceKind, LabelledPairs> by_kind;
     for (std::size_t index = 0; index < data.size(); ++index) {
         const SampleRecord& sample = data.sample(index);
         if (!std::isnan(physical_ratio(sample))) {
@@ -132,7 +134,7 @@ Table agreement_table(const Dataset& data) {
         const auto count = static_cast<std::int64_t>(pairs.weak_sd_m.size());
         const double accuracy = static_cast<double>(pairs.same) / static_cast<double>(pairs.labelled);
         for (std::size_t measure = 0; measure < measures().size(); ++measure) {
-            table.add_row({kind, count, accuracy, std::string(measures()[measure].name),
+            table.add_row({name_of(kind), count, accuracy, std::string(measures()[measure].name),
                            roc_auc(pairs.measured[measure], pairs.degenerate),
                            rank_correlation(pairs.measured[measure], pairs.weak_sd_m)});
         }

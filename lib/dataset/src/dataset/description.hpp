@@ -6,7 +6,7 @@
 namespace ddtool::dataset {
 
 /// Samples of each class in the parts of each split, by label rule.
-Table class_table(const Json& counts);
+Table class_table(const Counts& counts);
 
 /// Samples and shares of degenerate ones by family of scenes, particle count, lidar, odometry and update distance.
 Table group_table(const Dataset& data);

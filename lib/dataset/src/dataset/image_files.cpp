@@ -26,8 +26,8 @@ std::filesystem::path class_folder(const std::filesystem::path& images, LabelRul
 
 /// Calls visit(folder) for each place in which the sample's image belongs.
 void for_each_place(const std::filesystem::path& images, const SampleRecord& sample, const auto& visit) {
-    for (const LabelRule rule : {LabelRule::dispersion, LabelRule::fisher}) {
-        for (const Split split : {Split::paper, Split::held_out}) {
+    for (const LabelRule rule : all_label_rules) {
+        for (const Split split : all_splits) {
             if (const Part part = sample.part_of(rule, split); part != Part::unused) {
                 visit(class_folder(images, rule, split, part, sample.label_of(rule)));
             }

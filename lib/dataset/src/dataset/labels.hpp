@@ -5,7 +5,10 @@
 #include <string>
 
 #include "dataset/sample_record.hpp"
-#include "swarm/physical_degeneracy.hpp"
+
+namespace ddtool {
+struct RbpfSettings;
+}  // namespace ddtool
 
 namespace ddtool::dataset {
 
@@ -27,5 +30,11 @@ double labelled_dispersion(const std::array<double, 4>& dispersions, const Label
 Label dispersion_label(const std::array<double, 4>& dispersions, const LabelSettings& settings);
 /// Unknown for sd that are NaN.
 Label fisher_label(double weak_sd_m, double odometry_sd_m, const LabelSettings& settings);
+
+/// Fills in everything of a record that follows from the snapshot and the scan's information: dispersions, physical
+/// bounds and both labels. The filter's settings say how sure odometry and map are. Without information the bounds are
+/// NaN and the label `fisher` is unknown.
+void set_labels(SampleRecord& record, std::span<const SnapshotParticle> particles, const RbpfSettings& filter,
+                const LabelSettings& rules);
 
 }  // namespace ddtool::dataset

@@ -1,11 +1,17 @@
 #include "dataset/manifest.hpp"
 
-#include "dataset/counts.hpp"
 #include "ddtool/base/error.hpp"
 #include "ddtool/system/json_struct.hpp"
 #include "system/atomic_file.hpp"
+#include "system/expect.hpp"
 
 namespace ddtool::dataset {
+
+void to_json(Json& json, SourceKind kind) { json = name_of(kind); }
+
+void from_json(const Json& json, SourceKind& kind) {
+    kind = SourceKind{expect_one_of("kind", json.get<std::string>(), source_kind_names)};
+}
 
 DDTOOL_JSON_STRUCT(SourceEntry, kind, name)
 DDTOOL_JSON_STRUCT(RunEntry, id, source, scene, seed, particles, lidar, odometry, method, update_distance_m,
@@ -18,7 +24,6 @@ constexpr const char* format_key = "ddtool_dataset";
 constexpr int manifest_format = 2;
 
 void expect_sound(const Manifest& manifest, const std::filesystem::path& file) {
-    expect_counts(manifest.counts);
     for (const RunEntry& run : manifest.runs) {
         if (run.source >= manifest.sources.size()) {
             throw Error(file.string() + ": damaged: the run " + run.id + " is of a source that is not there");
@@ -33,6 +38,9 @@ Manifest read_manifest(const std::filesystem::path& folder) {
     if (!std::filesystem::exists(file)) {
         throw Error(file.string() + ": not there; expected a finished data set in " + folder.string());
     }
+    const auto damaged = [&](const std::exception& error) {
+        return Error(file.string() + ": damaged, or not the manifest of a data set: " + error.what());
+    };
     try {
         const Json json = parse_json(read_file(file), file.string());
         if (json.at(format_key) != manifest_format) {
@@ -43,7 +51,9 @@ Manifest read_manifest(const std::filesystem::path& folder) {
         expect_sound(manifest, file);
         return manifest;
     } catch (const Json::exception& error) {
-        throw Error(file.string() + ": damaged, or not the manifest of a data set: " + error.what());
+        throw damaged(error);
+    } catch (const UsageError& error) {
+        throw damaged(error);
     }
 }
 

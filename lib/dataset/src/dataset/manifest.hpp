@@ -1,9 +1,11 @@
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <string>
 #include <vector>
 
+#include "dataset/counts.hpp"
 #include "dataset/shard.hpp"
 #include "ddtool/system/settings.hpp"
 
@@ -11,9 +13,14 @@ namespace ddtool::dataset {
 
 inline constexpr const char* manifest_name = "manifest.json";
 
+/// Where snapshots come from, in the order of the names.
+enum class SourceKind : std::size_t { log, snapshots, world };
+inline constexpr std::array<const char*, 3> source_kind_names{"log", "snapshots", "world"};
+inline std::string name_of(SourceKind kind) { return source_kind_names[index_of(kind)]; }
+
 /// A world, a log or a file of snapshots.
 struct SourceEntry {
-    std::string kind;  ///< world, log, snapshots
+    SourceKind kind = SourceKind::world;
     std::string name;
 };
 
@@ -40,7 +47,7 @@ struct RunEntry {
 struct Manifest {
     std::string program;  ///< the build of ddtool that put it together
     Json settings;        ///< every setting in effect
-    Json counts;          ///< samples by label rule, class, split and part
+    Counts counts;        ///< samples by label rule, class, split and part
     std::vector<SourceEntry> sources;
     std::vector<RunEntry> runs;
     std::vector<ShardEntry> shards;

@@ -4,8 +4,7 @@
 #include <set>
 
 #include "base/pattern.hpp"
-#include "dataset/build_settings.hpp"
-#include "dataset/variant.hpp"
+#include "dataset/mix.hpp"
 #include "ddtool/base/error.hpp"
 #include "methods/settings_json.hpp"
 #include "sim/simulation_json.hpp"
@@ -31,12 +30,19 @@ std::string plain_name(std::string world) {
 
 class Planner {
 public:
-    explicit Planner(const Json& settings) : settings_(settings) {}
+    explicit Planner(const Json& settings)
+        : settings_(settings), thinning_(thinning_from_json(settings.at("thinning"))) {}
 
     RunPlan plan() {
-        for_each_item("worlds", "world", {"seeds", "mix", "simulation", "filter"}, &Planner::add_world);
-        for_each_item("logs", "log", {"seeds", "mix", "filter", "range_sd_m"}, &Planner::add_log);
-        for_each_item("snapshots", "snapshots", {}, &Planner::add_snapshots);
+        const Json one_seed{{"first", 1U}, {"count", 1U}};
+        const Json& mix = settings_.at("mix");
+        const Json& filter = settings_.at("filter");
+        add_all("worlds", "world",
+                {{"seeds", one_seed}, {"mix", mix}, {"simulation", settings_.at("simulation")}, {"filter", filter}},
+                &Planner::add_world);
+        add_all("logs", "log", {{"seeds", one_seed}, {"mix", mix}, {"filter", filter}, {"range_sd_m", 0.02}},
+                &Planner::add_log);
+        add_all("snapshots", "snapshots", Json::object(), &Planner::add_snapshots);
         if (plan_.runs.empty()) {
             throw UsageError("worlds, logs, snapshots: expected one or more sources");
         }
@@ -46,88 +52,76 @@ public:
 private:
     using Add = void (Planner::*)(const Json& item, const std::string& where);
 
-    /// Items are names or objects; what an object does not say is as the whole configuration has it.
-    void for_each_item(const std::string& list, const std::string& kind, const std::vector<std::string>& keys,
-                       Add add) {
+    /// Items are names or objects; what an object does not say is as the defaults have it.
+    void add_all(const std::string& list, const std::string& kind, const Json& defaults, Add add) {
         std::size_t index = 0;
         for (const Json& item : settings_.at(list)) {
             const std::string where = std::string(list).append("[").append(std::to_string(index++)).append("]");
-            Json settings = item_defaults(kind, keys);
+            Json settings{{kind, ""}, {"scene", ""}};
+            settings.update(defaults);
             merge_settings(settings, item.is_string() ? Json{{kind, item}} : item, where);
-            expect_named(settings, kind, where);
+            if (settings.at(kind).get<std::string>().empty()) {
+                throw UsageError(where + ": expected the name of a " + kind);
+            }
             (this->*add)(settings, where);
-        }
-    }
-
-    /// Of the keys that the whole configuration has too, its values.
-    [[nodiscard]] Json item_defaults(const std::string& kind, const std::vector<std::string>& keys) const {
-        Json defaults{{kind, ""}, {"scene", ""}};
-        for (const std::string& key : keys) {
-            defaults[key] = settings_.value(key, Json());
-        }
-        if (defaults.contains("seeds")) {
-            defaults["seeds"] = {{"first", 1U}, {"count", 1U}};
-        }
-        if (defaults.contains("range_sd_m")) {
-            defaults["range_sd_m"] = 0.02;
-        }
-        return defaults;
-    }
-
-    static void expect_named(const Json& item, const std::string& kind, const std::string& where) {
-        if (item.at(kind).get<std::string>().empty()) {
-            throw UsageError(where + ": expected the name of a " + kind);
         }
     }
 
     void add_world(const Json& item, const std::string& where) {
         const auto pattern = item.at("world").get<std::string>();
+        const Mix mix = mix_from_json(item.at("mix"), where);
+        const auto most_particle_updates = settings_.at("most_particle_updates").get<std::uint64_t>();
         std::string last;
         for (const std::uint64_t seed : seeds_from_json(item.at("seeds"), where + ".seeds")) {
             const std::string world = expand(pattern, "", seed);
             if (world != last) {
-                add_source("world", world);
+                add_source(SourceKind::world, world);
                 last = world;
             }
-            const Variant variant = draw_variant(item, chance(world, seed), where);
+            const Variant variant = draw_variant(mix, chance(world, seed));
             const Json simulation = simulation_of(item, variant, seed);
             const Json filter = filter_of(item, variant, seed);
-            PlannedRun run{entry_of(item, filter, plain_name(world)), world, {}};
-            run.entry.lidar = simulation.at("lidar").at("preset").get<std::string>();
-            run.entry.odometry = simulation.at("odometry").at("preset").get<std::string>();
-            run.configuration = {{"world", sim::world_fingerprint(sim::load_world(world))},
-                                 {"simulation", simulation},
-                                 {"most_particle_updates", settings_.at("most_particle_updates")},
-                                 {"filter", filter}};
-            add_run(std::move(run));
+            RunEntry entry = entry_of(item, filter, plain_name(world));
+            entry.lidar = simulation.at("lidar").at("preset").get<std::string>();
+            entry.odometry = simulation.at("odometry").at("preset").get<std::string>();
+            add_run(std::move(entry),
+                    WorldRun{.world = world,
+                             .simulation = sim::simulation_from_json(simulation),
+                             .most_particle_updates = most_particle_updates,
+                             .filter = filter_settings_from_json(filter),
+                             .drive_key = Fingerprint().add(world).add(simulation.dump()).value()},
+                    {{"world", sim::world_fingerprint(sim::load_world(world))},
+                     {"simulation", simulation},
+                     {"most_particle_updates", most_particle_updates},
+                     {"filter", filter}});
         }
     }
 
     void add_log(const Json& item, const std::string& where) {
         const auto path = item.at("log").get<std::string>();
+        const Mix mix = mix_from_json(item.at("mix"), where);
         const std::string name = std::filesystem::path(path).stem().string();
         const std::string content = file_fingerprint(path);
-        add_source("log", name);
+        add_source(SourceKind::log, name);
         for (const std::uint64_t seed : seeds_from_json(item.at("seeds"), where + ".seeds")) {
-            const Variant variant = draw_variant(item, chance(name, seed), where);
+            const Variant variant = draw_variant(mix, chance(name, seed));
             const Json filter = filter_of(item, variant, seed);
-            PlannedRun run{entry_of(item, filter, name), path, {}};
-            run.configuration = {{"log", content}, {"range_sd_m", item.at("range_sd_m")}, {"filter", filter}};
-            add_run(std::move(run));
+            add_run(entry_of(item, filter, name),
+                    LogRun{path, item.at("range_sd_m").get<double>(), filter_settings_from_json(filter)},
+                    {{"log", content}, {"range_sd_m", item.at("range_sd_m")}, {"filter", filter}});
         }
     }
 
     void add_snapshots(const Json& item, const std::string& /*where*/) {
         const auto path = item.at("snapshots").get<std::string>();
         const std::string name = std::filesystem::path(path).stem().string();
-        add_source("snapshots", name);
-        PlannedRun run{{}, path, {}};
-        run.entry.scene = scene_of(item, name);
-        run.configuration = {{"snapshots", file_fingerprint(path)}};
-        add_run(std::move(run));
+        add_source(SourceKind::snapshots, name);
+        RunEntry entry;
+        entry.scene = scene_of(item, name);
+        add_run(std::move(entry), RecordedRun{path}, {{"snapshots", file_fingerprint(path)}});
     }
 
-    void add_source(const std::string& kind, const std::string& name) { plan_.sources.push_back({kind, name}); }
+    void add_source(SourceKind kind, const std::string& name) { plan_.sources.push_back({kind, name}); }
 
     [[nodiscard]] RandomStream chance(const std::string& name, std::uint64_t seed) const {
         return {settings_.at("seed").get<std::uint64_t>(), Fingerprint().add(name).value(), seed};
@@ -151,52 +145,63 @@ private:
 
     static Json filter_of(const Json& item, const Variant& variant, std::uint64_t seed) {
         Json filter = item.at("filter");
-        filter.update(variant.filter);
+        if (variant.particles) {
+            filter["particles"] = *variant.particles;
+        }
+        if (variant.update_distance) {
+            filter["update_distance_m"] = variant.update_distance->distance_m;
+            filter["update_turn_rad"] = variant.update_distance->turn_rad;
+        }
+        if (variant.method) {
+            filter["method"] = *variant.method;
+        }
         filter["seed"] = seed;
-        (void)filter_settings_from_json(filter);  // a value that makes no sense shows now, not in every run
         return filter;
     }
 
     static Json simulation_of(const Json& item, const Variant& variant, std::uint64_t seed) {
         Json simulation = item.at("simulation");
-        simulation["lidar"].update(variant.lidar);
-        simulation["odometry"].update(variant.odometry);
+        if (variant.lidar) {
+            simulation["lidar"]["preset"] = *variant.lidar;
+        }
+        if (variant.odometry) {
+            simulation["odometry"]["preset"] = *variant.odometry;
+        }
         simulation["seed"] = seed;
-        (void)sim::simulation_from_json(simulation);
         return simulation;
     }
 
     /// The id decides which of a run's snapshots are kept. `filter.gate` was added after data sets had been published:
     /// where nobody names a gate, it must not change them.
-    static std::string id_of(Json configuration) {
+    static jobs::Key key_of(Json configuration) {
         if (configuration.contains("filter") && configuration.at("filter").at("gate") == "") {
             configuration["filter"].erase("gate");
         }
-        return Fingerprint().add(configuration.dump()).hex();
+        return jobs::Key(std::move(configuration));
     }
 
-    void add_run(PlannedRun run) {
-        run.configuration["format"] = plan_format;
-        run.configuration["seed"] = settings_.at("seed");
-        run.configuration["thinning"] = settings_.at("thinning");
-        run.entry.source = static_cast<std::uint32_t>(plan_.sources.size() - 1);
-        run.entry.id = id_of(run.configuration);
-        if (ids_.insert(run.entry.id).second) {
-            plan_.runs.push_back(std::move(run));
+    template <typename Source>
+    void add_run(RunEntry entry, Source source, Json configuration) {
+        configuration["format"] = plan_format;
+        configuration["seed"] = settings_.at("seed");
+        configuration["thinning"] = settings_.at("thinning");
+        jobs::Key key = key_of(std::move(configuration));
+        entry.source = static_cast<std::uint32_t>(plan_.sources.size() - 1);
+        entry.id = key.id();
+        if (ids_.insert(entry.id).second) {
+            plan_.runs.push_back({std::move(entry), std::move(source), thinning_, std::move(key)});
         }
     }
 
     const Json& settings_;
+    ThinningSettings thinning_;
     RunPlan plan_;
     std::set<std::string> ids_;
 };
 
 }  // namespace
 
-RunPlan plan_runs(const Json& settings) {
-    (void)thinning_from_json(settings.at("thinning"));
-    return Planner(settings).plan();
-}
+RunPlan plan_runs(const Json& settings) { return Planner(settings).plan(); }
 
 std::string title_of(const RunPlan& plan, const PlannedRun& run) {
     std::string title = plan.sources[run.entry.source].name;

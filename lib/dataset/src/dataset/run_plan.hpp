@@ -1,18 +1,46 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
+#include <variant>
 #include <vector>
 
+#include "dataset/build_settings.hpp"
 #include "dataset/manifest.hpp"
-#include "ddtool/system/settings.hpp"
+#include "ddtool/methods/method.hpp"
+#include "jobs/store.hpp"
+#include "sim/simulation.hpp"
 
 namespace ddtool::dataset {
 
+/// A drive of the simulator that a filter processes.
+struct WorldRun {
+    std::string world;
+    sim::SimulationSettings simulation;
+    std::uint64_t most_particle_updates = 0;
+    FilterSettings filter;
+    /// Of world and simulation alone, so that filters of other settings see the same piece of the drive.
+    std::uint64_t drive_key = 0;
+};
+
+/// A log that a filter processes.
+struct LogRun {
+    std::string path;
+    double range_sd_m = 0.0;  ///< of the lidar's ranges
+    FilterSettings filter;
+};
+
+/// Snapshots that were recorded before.
+struct RecordedRun {
+    std::string path;
+};
+
 /// A run before it is made.
 struct PlannedRun {
-    RunEntry entry;      ///< without counts
-    std::string input;   ///< the world's name, or the path of the log or of the snapshots
-    Json configuration;  ///< everything that decides the samples, but for the input's name
+    RunEntry entry;  ///< without counts
+    std::variant<WorldRun, LogRun, RecordedRun> source;
+    ThinningSettings thinning;
+    jobs::Key key;  ///< of everything that decides the samples, but for the input's name
 };
 
 struct RunPlan {

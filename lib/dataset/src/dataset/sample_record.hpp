@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <string>
 
 #include "ddtool/robot/pose2.hpp"
 #include "ddtool/swarm/particle_snapshot.hpp"
@@ -25,10 +26,19 @@ inline constexpr std::array<const char*, 4> part_names{"unused", "train", "valid
 enum class Label : std::int16_t { unknown = -1, not_degenerate = 0, degenerate = 1 };
 inline constexpr std::array<const char*, 2> class_names{"not_degenerate", "degenerate"};
 
+inline constexpr std::array<LabelRule, 2> all_label_rules{LabelRule::dispersion, LabelRule::fisher};
+inline constexpr std::array<Split, 2> all_splits{Split::paper, Split::held_out};
+/// All but unused.
+inline constexpr std::array<Part, 3> used_parts{Part::train, Part::validation, Part::test};
+
 template <typename Enum>
 constexpr std::size_t index_of(Enum value) {
     return static_cast<std::size_t>(value);
 }
+
+inline std::string name_of(LabelRule rule) { return label_rule_names[index_of(rule)]; }
+inline std::string name_of(Split split) { return split_names[index_of(split)]; }
+inline std::string name_of(Part part) { return part_names[index_of(part)]; }
 
 /// One row of shard-*.samples.npy, as it lies in the file. NaN where the source does not know.
 struct SampleRecord {

@@ -9,7 +9,6 @@
 namespace ddtool::dataset {
 namespace {
 
-constexpr std::array<Part, 3> parts{Part::train, Part::validation, Part::test};
 constexpr std::array<double, 3> shares{0.6, 0.2, 0.2};
 
 /// Where the scenes are, and what that costs.
@@ -34,7 +33,7 @@ public:
     /// Squared deviations from 6:2:2, each rule and class counting alike.
     [[nodiscard]] double cost() const {
         double sum = 0.0;
-        for (std::size_t part = 0; part < parts.size(); ++part) {
+        for (std::size_t part = 0; part < used_parts.size(); ++part) {
             for (std::size_t group = 0; group < totals_.size(); ++group) {
                 const double deviation =
                     totals_[group] == 0.0 ? 0.0 : filled_[part][group] / totals_[group] - shares[part];
@@ -55,7 +54,7 @@ public:
 
     void move_to_best(std::size_t scene) {
         std::size_t best = 0;
-        for (std::size_t part = 1; part < parts.size(); ++part) {
+        for (std::size_t part = 1; part < used_parts.size(); ++part) {
             if (cost_with(scene, part) < cost_with(scene, best)) {
                 best = part;
             }
@@ -63,7 +62,7 @@ public:
         move(scene, best);
     }
 
-    static constexpr std::size_t nowhere = parts.size();
+    static constexpr std::size_t nowhere = used_parts.size();
 
 private:
     void add(std::size_t scene, std::size_t part, double sign) {
@@ -128,7 +127,7 @@ std::vector<Part> parts_of_scenes(const std::vector<SceneCounts>& scenes) {
     std::vector<Part> result;
     result.reserve(scenes.size());
     for (std::size_t scene = 0; scene < scenes.size(); ++scene) {
-        result.push_back(parts[assignment.place(scene)]);
+        result.push_back(used_parts[assignment.place(scene)]);
     }
     return result;
 }
@@ -144,7 +143,7 @@ void hold_out_scenes(std::span<SampleRecord> records, const std::vector<RunEntry
     };
     std::vector<SceneCounts> counts(numbers.size());
     for (const SampleRecord& record : records) {
-        for (const LabelRule rule : {LabelRule::dispersion, LabelRule::fisher}) {
+        for (const LabelRule rule : all_label_rules) {
             if (is_chosen(record, rule)) {
                 ++counts[scene_of(record)][2 * index_of(rule) + (record.label_of(rule) == Label::degenerate ? 1U : 0U)];
             }
@@ -152,7 +151,7 @@ void hold_out_scenes(std::span<SampleRecord> records, const std::vector<RunEntry
     }
     const std::vector<Part> scene_parts = parts_of_scenes(counts);
     for (SampleRecord& record : records) {
-        for (const LabelRule rule : {LabelRule::dispersion, LabelRule::fisher}) {
+        for (const LabelRule rule : all_label_rules) {
             if (is_chosen(record, rule)) {
                 record.part[index_of(rule)][index_of(Split::held_out)] = scene_parts[scene_of(record)];
             }

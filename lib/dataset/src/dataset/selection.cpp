@@ -9,7 +9,7 @@
 namespace ddtool::dataset {
 namespace {
 
-enum Purpose : std::uint64_t { choice_draw = 1, split_draw = 2 };
+enum SelectionPurpose : std::uint64_t { choice_draw = 1, split_draw = 2 };
 
 using Indices = std::vector<std::size_t>;
 
@@ -62,7 +62,7 @@ std::uint64_t SampleChance::draw(std::uint64_t purpose, const SampleRecord& reco
 }
 
 void choose_samples(std::span<SampleRecord> records, const BalanceSettings& wanted, const SampleChance& chance) {
-    for (const LabelRule rule : {LabelRule::dispersion, LabelRule::fisher}) {
+    for (const LabelRule rule : all_label_rules) {
         for (const Label label : {Label::not_degenerate, Label::degenerate}) {
             const std::size_t count = label == Label::degenerate ? wanted.degenerate : wanted.not_degenerate;
             const Indices order =

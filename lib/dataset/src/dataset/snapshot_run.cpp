@@ -8,11 +8,9 @@
 #include "dataset/drive_window.hpp"
 #include "ddtool/logs/log_stream.hpp"
 #include "ddtool/methods/driven_scans.hpp"
-#include "methods/settings_json.hpp"
 #include "robot/scan_information.hpp"
 #include "run/snapshot_file.hpp"
 #include "scores/statistics.hpp"
-#include "sim/simulation_json.hpp"
 #include "sim/world_catalogue.hpp"
 #include "system/fingerprint.hpp"
 
@@ -31,14 +29,7 @@ constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 std::uint64_t key_of(const PlannedRun& run) { return Fingerprint().add(run.entry.id).value(); }
 
-/// Without the filter, so that filters of other settings see the same piece of the drive.
-std::uint64_t key_of_drive(const PlannedRun& run) {
-    return Fingerprint().add(run.input).add(run.configuration.at("simulation").dump()).value();
-}
-
-SnapshotThinning thinning_of(const PlannedRun& run) {
-    return {thinning_from_json(run.configuration.at("thinning")), key_of(run)};
-}
+SnapshotThinning thinning_of(const PlannedRun& run) { return {run.thinning, key_of(run)}; }
 
 Sample sample_of(const ParticleSnapshot& snapshot) {
     Sample sample;
@@ -71,9 +62,8 @@ void offer_moved(SnapshotThinning& thinning, const ParticleSnapshot& swarm, cons
 /// A filter whose snapshots become samples.
 class Recorder {
 public:
-    explicit Recorder(const PlannedRun& run)
-        : thinning_(thinning_of(run)),
-          filter_(make_filter(filter_settings_from_json(run.configuration.at("filter")), DetectorTable(), threads_)) {}
+    Recorder(const PlannedRun& run, const FilterSettings& filter)
+        : thinning_(thinning_of(run)), filter_(make_filter(filter, DetectorTable(), threads_)) {}
 
     void process(const SensorFrame& frame, const Knowledge& knowledge) {
         ++scans_;
@@ -105,13 +95,11 @@ private:
     std::uint64_t updates_ = 0;
 };
 
-SnapshotRun filter_world(const PlannedRun& run, const OnProgress& on_progress) {
-    const sim::Simulation simulation(sim::load_world(run.input),
-                                     sim::simulation_from_json(run.configuration.at("simulation")));
+SnapshotRun make(const WorldRun& source, const PlannedRun& run, const OnProgress& on_progress) {
+    const sim::Simulation simulation(sim::load_world(source.world), source.simulation);
     const DriveWindow window =
-        window_of(simulation, run.entry, run.configuration.at("most_particle_updates").get<std::uint64_t>(),
-                  RandomStream({key_of_drive(run)}));
-    Recorder recorder(run);
+        window_of(simulation, run.entry, source.most_particle_updates, RandomStream({source.drive_key}));
+    Recorder recorder(run, source.filter);
     for (std::size_t index = window.first_frame;
          index < simulation.frame_count() && recorder.updates() < window.most_updates; ++index) {
         const sim::SimulatedFrame frame = simulation.frame(index);
@@ -124,15 +112,14 @@ SnapshotRun filter_world(const PlannedRun& run, const OnProgress& on_progress) {
     return recorder.finish();
 }
 
-SnapshotRun filter_log(const PlannedRun& run, const OnProgress& on_progress) {
+SnapshotRun make(const LogRun& source, const PlannedRun& run, const OnProgress& on_progress) {
     std::uint64_t problems = 0;
-    const auto range_sd_m = run.configuration.at("range_sd_m").get<double>();
-    const RbpfSettings filter = filter_settings_from_json(run.configuration.at("filter")).rbpf;
-    DrivenScans scans(open_log(run.input, LogOptions{}, [&](const LogProblem&) { ++problems; }), filter);
-    Recorder recorder(run);
+    const RbpfSettings& filter = source.filter.rbpf;
+    DrivenScans scans(open_log(source.path, LogOptions{}, [&](const LogProblem&) { ++problems; }), filter);
+    Recorder recorder(run, source.filter);
     while (const std::optional<SensorFrame> frame = scans.next()) {
         recorder.process(*frame, [&]() -> ScanKnowledge {
-            return {scan_information(scan_points(*frame, filter.points), range_sd_m), range_sd_m};
+            return {scan_information(scan_points(*frame, filter.points), source.range_sd_m), source.range_sd_m};
         });
         on_progress(scans.fraction_read());
     }
@@ -141,9 +128,9 @@ SnapshotRun filter_log(const PlannedRun& run, const OnProgress& on_progress) {
     return made;
 }
 
-SnapshotRun read_recorded(const PlannedRun& run, const OnProgress& on_progress) {
+SnapshotRun make(const RecordedRun& source, const PlannedRun& run, const OnProgress& on_progress) {
     SnapshotRun made;
-    SnapshotReader reader(run.input, [&](const LogProblem&) { ++made.log_problems; });
+    SnapshotReader reader(source.path, [&](const LogProblem&) { ++made.log_problems; });
     SnapshotThinning thinning = thinning_of(run);
     while (const std::optional<RecordedSnapshot> recorded = reader.next()) {
         offer_moved(thinning, recorded->snapshot, [&] { return sample_of(recorded->snapshot); });
@@ -157,10 +144,7 @@ SnapshotRun read_recorded(const PlannedRun& run, const OnProgress& on_progress) 
 }  // namespace
 
 SnapshotRun make_run(const PlannedRun& run, const OnProgress& on_progress) {
-    if (run.configuration.contains("world")) {
-        return filter_world(run, on_progress);
-    }
-    return run.configuration.contains("log") ? filter_log(run, on_progress) : read_recorded(run, on_progress);
+    return std::visit([&](const auto& source) { return make(source, run, on_progress); }, run.source);
 }
 
 }  // namespace ddtool::dataset

@@ -7,7 +7,7 @@
 namespace ddtool::dataset {
 namespace {
 
-enum Purpose : std::uint64_t { place_draw = 1, priority_draw = 2 };
+enum ThinningPurpose : std::uint64_t { place_draw = 1, priority_draw = 2 };
 
 }  // namespace
 

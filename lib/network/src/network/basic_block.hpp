@@ -6,8 +6,8 @@
 
 namespace ddtool::native {
 
-/// Residual block as models::BasicBlock (He et al. 2016). Takes PREFIX.first, .second and, where the shape changes,
-/// .projection.
+/// Residual block as train_torch::BasicBlock (He et al. 2016). Takes PREFIX.first, .second and, where the shape
+/// changes, .projection.
 class BasicBlock {
 public:
     BasicBlock(NamedWeights& weights, const std::string& prefix, const MapShape& in, std::size_t channels,

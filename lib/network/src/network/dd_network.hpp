@@ -14,8 +14,8 @@ namespace ddtool::native {
 /// A trained network of the DD-Model's kind, one image at a time. Nothing is allocated after construction.
 class DDNetwork {
 public:
-    /// Takes all of the network's tensors, under the names that models::DDModel gives them. Channels and the width of
-    /// a head are multiples of block_width. Throws Error as NamedWeights does.
+    /// Takes all of the network's tensors, under the names that train_torch::DDModel gives them. Channels and the width
+    /// of a head are multiples of block_width. Throws Error as NamedWeights does.
     DDNetwork(NamedWeights& weights, const DDModelTable& table, std::size_t size_px);
 
     /// The two logits of an image of size_px * size_px floats, row by row from the top.

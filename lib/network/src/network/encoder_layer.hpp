@@ -7,7 +7,7 @@
 
 namespace ddtool::native {
 
-/// One layer of a transformer encoder as models::EncoderLayer: normalisation first. Takes encoder.*.
+/// One layer of a transformer encoder as train_torch::EncoderLayer: normalisation first. Takes encoder.*.
 class EncoderLayer {
 public:
     EncoderLayer(NamedWeights& weights, const EncoderRow& row, std::size_t tokens);

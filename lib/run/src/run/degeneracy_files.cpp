@@ -1,7 +1,6 @@
 #include "run/degeneracy_files.hpp"
 
 #include <array>
-#include <cmath>
 #include <cstdio>
 #include <ostream>
 
@@ -21,10 +20,9 @@ void write_row(std::ostream& out, const UpdateSummary& update) {
         out << text.data();
     };
     out << update.stamp_ns;
-    for (const double value :
-         {update.degree, update.dispersion, std::sqrt(update.swarm.major_variance_m2),
-          std::sqrt(update.swarm.minor_variance_m2), update.swarm.major_direction_rad, update.corrected_m,
-          update.resampled ? 1.0 : 0.0, update.pose.x_m, update.pose.y_m, update.pose.theta_rad}) {
+    for (const double value : {update.degree, update.dispersion, update.swarm.major_sd_m(), update.swarm.minor_sd_m(),
+                               update.swarm.major_direction_rad, update.corrected_m, update.resampled ? 1.0 : 0.0,
+                               update.pose.x_m, update.pose.y_m, update.pose.theta_rad}) {
         number(value);
     }
     for (Eigen::Index row = 0; row < 3; ++row) {

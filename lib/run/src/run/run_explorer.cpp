@@ -76,7 +76,7 @@ std::vector<Line> lines_of(const RunCourse& course, const Truth& truth) {
          {{"low", 0.0}, {"high", 1.0}},
          values_of(course, [](const UpdateSummary& update) { return update.degree; })},
         {"spread of the particles", "m", 1e-4, at_least_0,
-         values_of(course, [](const UpdateSummary& update) { return std::sqrt(update.swarm.major_variance_m2); })},
+         values_of(course, [](const UpdateSummary& update) { return update.swarm.major_sd_m(); })},
         {"effective sample size", "", 0.01, at_least_0,
          values_of(course, [](const UpdateSummary& update) { return update.effective_size; }), true},
         {"correction", "m", 1e-4, at_least_0,

@@ -47,8 +47,8 @@ std::string caption_of(const WorstMoments::Moment& moment) {
     const std::vector<SnapshotParticle>& particles = moment.swarm.particles;
     const SwarmShape shape = swarm_shape(particles, &SnapshotParticle::pose);
     return "effective sample size " + fixed_text(effective_sample_size(weights_of(particles)), 1) + " of " +
-           std::to_string(particles.size()) + ", spread " + fixed_text(std::sqrt(shape.major_variance_m2), 3) + " x " +
-           fixed_text(std::sqrt(shape.minor_variance_m2), 3) + " m";
+           std::to_string(particles.size()) + ", spread " + fixed_text(shape.major_sd_m(), 3) + " x " +
+           fixed_text(shape.minor_sd_m(), 3) + " m";
 }
 
 html::Moment shown(const WorstMoments::Moment& moment, ParticleRenderer& renderer, std::size_t row, double time_s) {

@@ -8,11 +8,20 @@
 #include "scores/statistics.hpp"
 
 namespace ddtool {
+namespace {
+
+constexpr double not_counted = std::numeric_limits<double>::quiet_NaN();
+
+double number_in(const Json& json, const char* key) {
+    const Json& value = json.at(key);
+    return value.is_null() ? not_counted : value.get<double>();
+}
+
+}  // namespace
 
 ErrorStatistics error_statistics(std::span<const double> errors) {
     if (errors.empty()) {
-        const double none = std::numeric_limits<double>::quiet_NaN();
-        return {0, none, none, none, none, none, none};
+        return {0, not_counted, not_counted, not_counted, not_counted, not_counted, not_counted};
     }
     const auto count = static_cast<double>(errors.size());
     const double mean = std::accumulate(errors.begin(), errors.end(), 0.0) / count;
@@ -36,6 +45,16 @@ void to_json(Json& json, const ErrorStatistics& statistics) {
     json = {{"count", statistics.count},   {"rmse", statistics.rmse}, {"mean", statistics.mean},
             {"median", statistics.median}, {"std", statistics.std},   {"min", statistics.min},
             {"max", statistics.max}};
+}
+
+void from_json(const Json& json, ErrorStatistics& statistics) {
+    statistics = {.count = json.at("count"),
+                  .rmse = number_in(json, "rmse"),
+                  .mean = number_in(json, "mean"),
+                  .median = number_in(json, "median"),
+                  .std = number_in(json, "std"),
+                  .min = number_in(json, "min"),
+                  .max = number_in(json, "max")};
 }
 
 }  // namespace ddtool

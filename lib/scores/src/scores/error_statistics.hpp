@@ -21,5 +21,7 @@ struct ErrorStatistics {
 ErrorStatistics error_statistics(std::span<const double> errors);
 
 void to_json(Json& json, const ErrorStatistics& statistics);
+/// NaN, which JSON writes as null, is read back as such.
+void from_json(const Json& json, ErrorStatistics& statistics);
 
 }  // namespace ddtool

@@ -6,7 +6,7 @@
 #include <numeric>
 #include <vector>
 
-#include "scores/ranks.hpp"
+#include "scores/rank_statistics.hpp"
 
 namespace ddtool {
 namespace {

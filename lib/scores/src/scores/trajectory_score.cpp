@@ -1,33 +1,28 @@
 #include "scores/trajectory_score.hpp"
 
-#include <string>
+#include <array>
 
 namespace ddtool {
 namespace {
 
-struct NamedStatistics {
-    std::string title;
-    std::string key;
-    ErrorStatistics statistics;
+struct NamedError {
+    const char* title;
+    const char* key;
+    std::optional<ErrorStatistics> ScoreFigures::*member;
 };
 
-std::vector<NamedStatistics> all_statistics(const TrajectoryScore& score) {
-    std::vector<NamedStatistics> all;
-    if (score.absolute) {
-        all.push_back({"ATE [m]", "ate_m", score.absolute->translation_m});
-        all.push_back({"Error_x [m]", "error_x_m", score.absolute->error_x_m});
-        all.push_back({"Error_y [m]", "error_y_m", score.absolute->error_y_m});
-    }
-    if (score.relative) {
-        all.push_back({"RPE translation [m]", "rpe_m", score.relative->translation_m});
-        all.push_back({"RPE rotation [deg]", "rpe_deg", score.relative->rotation_deg});
-    }
-    if (score.relations) {
-        all.push_back({"relations, translation [m]", "relations_m", score.relations->translation_m});
-        all.push_back({"relations, rotation [deg]", "relations_deg", score.relations->rotation_deg});
-    }
-    return all;
-}
+constexpr std::array<NamedError, 7> errors{{
+    {"ATE [m]", "ate_m", &ScoreFigures::ate_m},
+    {"Error_x [m]", "error_x_m", &ScoreFigures::error_x_m},
+    {"Error_y [m]", "error_y_m", &ScoreFigures::error_y_m},
+    {"RPE translation [m]", "rpe_m", &ScoreFigures::rpe_m},
+    {"RPE rotation [deg]", "rpe_deg", &ScoreFigures::rpe_deg},
+    {"relations, translation [m]", "relations_m", &ScoreFigures::relations_m},
+    {"relations, rotation [deg]", "relations_deg", &ScoreFigures::relations_deg},
+}};
+
+constexpr const char* alignment_key = "reference_from_estimate";
+constexpr const char* skipped_key = "relations_skipped";
 
 }  // namespace
 
@@ -38,29 +33,69 @@ TrajectoryScore score_against(const Trajectory& estimate, const Trajectory& refe
     return score;
 }
 
+ScoreFigures figures_of(const TrajectoryScore& score) {
+    ScoreFigures figures;
+    if (score.absolute) {
+        figures.ate_m = score.absolute->translation_m;
+        figures.error_x_m = score.absolute->error_x_m;
+        figures.error_y_m = score.absolute->error_y_m;
+        figures.reference_from_estimate = score.absolute->reference_from_estimate;
+    }
+    if (score.relative) {
+        figures.rpe_m = score.relative->translation_m;
+        figures.rpe_deg = score.relative->rotation_deg;
+    }
+    if (score.relations) {
+        figures.relations_m = score.relations->translation_m;
+        figures.relations_deg = score.relations->rotation_deg;
+        figures.relations_skipped = score.relations->skipped;
+    }
+    return figures;
+}
+
+void to_json(Json& json, const ScoreFigures& figures) {
+    json = Json::object();
+    for (const NamedError& error : errors) {
+        if (const auto& statistics = figures.*error.member) {
+            json[error.key] = *statistics;
+        }
+    }
+    if (const auto& alignment = figures.reference_from_estimate) {
+        json[alignment_key] = {{"x_m", alignment->x_m}, {"y_m", alignment->y_m}, {"theta_rad", alignment->theta_rad}};
+    }
+    if (figures.relations_skipped) {
+        json[skipped_key] = *figures.relations_skipped;
+    }
+}
+
+void from_json(const Json& json, ScoreFigures& figures) {
+    figures = {};
+    for (const NamedError& error : errors) {
+        if (const auto found = json.find(error.key); found != json.end()) {
+            figures.*error.member = found->get<ErrorStatistics>();
+        }
+    }
+    if (const auto found = json.find(alignment_key); found != json.end()) {
+        figures.reference_from_estimate =
+            Pose2{found->at("x_m").get<double>(), found->at("y_m").get<double>(), found->at("theta_rad").get<double>()};
+    }
+    if (const auto found = json.find(skipped_key); found != json.end()) {
+        figures.relations_skipped = found->get<std::size_t>();
+    }
+}
+
 Table score_table(const TrajectoryScore& score) {
+    const ScoreFigures figures = figures_of(score);
     Table table({{"error"}, {"rmse", 4}, {"mean", 4}, {"median", 4}, {"std", 4}, {"min", 4}, {"max", 4}, {"count"}});
-    for (const auto& [title, key, statistics] : all_statistics(score)) {
-        table.add_row({title, statistics.rmse, statistics.mean, statistics.median, statistics.std, statistics.min,
-                       statistics.max, static_cast<std::int64_t>(statistics.count)});
+    for (const NamedError& error : errors) {
+        if (const auto& each = figures.*error.member) {
+            table.add_row({error.title, each->rmse, each->mean, each->median, each->std, each->min, each->max,
+                           static_cast<std::int64_t>(each->count)});
+        }
     }
     return table;
 }
 
-Json score_json(const TrajectoryScore& score) {
-    Json json = Json::object();
-    for (const auto& [title, key, statistics] : all_statistics(score)) {
-        json[key] = statistics;
-    }
-    if (score.absolute) {
-        const Pose2& alignment = score.absolute->reference_from_estimate;
-        json["reference_from_estimate"] = {
-            {"x_m", alignment.x_m}, {"y_m", alignment.y_m}, {"theta_rad", alignment.theta_rad}};
-    }
-    if (score.relations) {
-        json["relations_skipped"] = score.relations->skipped;
-    }
-    return json;
-}
+Json score_json(const TrajectoryScore& score) { return figures_of(score); }
 
 }  // namespace ddtool

@@ -26,11 +26,28 @@ struct TrajectoryScore {
 TrajectoryScore score_against(const Trajectory& estimate, const Trajectory& reference,
                               const ScoreOptions& options = {});
 
+/// The figures of a score, without the poses that they are of: those that are there. As JSON the keys are the names of
+/// the members.
+struct ScoreFigures {
+    std::optional<ErrorStatistics> ate_m;
+    std::optional<ErrorStatistics> error_x_m;
+    std::optional<ErrorStatistics> error_y_m;
+    std::optional<ErrorStatistics> rpe_m;
+    std::optional<ErrorStatistics> rpe_deg;
+    std::optional<ErrorStatistics> relations_m;
+    std::optional<ErrorStatistics> relations_deg;
+    std::optional<Pose2> reference_from_estimate;  ///< the alignment
+    std::optional<std::size_t> relations_skipped;
+};
+
+ScoreFigures figures_of(const TrajectoryScore& score);
+void to_json(Json& json, const ScoreFigures& figures);
+void from_json(const Json& json, ScoreFigures& figures);
+
 /// One row an error: its statistics.
 Table score_table(const TrajectoryScore& score);
 
-/// {"ate_m": {"rmse": ...}, "error_x_m", "error_y_m", "rpe_m", "rpe_deg", "reference_from_estimate",
-/// "relations_m", "relations_deg", "relations_skipped"}: those that are there.
+/// The figures as JSON.
 Json score_json(const TrajectoryScore& score);
 
 }  // namespace ddtool

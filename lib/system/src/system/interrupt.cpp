@@ -12,6 +12,8 @@ namespace {
 std::atomic<bool> requested = false;
 static_assert(std::atomic<bool>::is_always_lock_free, "else a signal handler must not write it");
 
+std::atomic<int> alive = 0;
+
 void request(int signal) {
     requested = true;
     std::signal(signal, SIG_DFL);
@@ -25,11 +27,17 @@ void set_handlers(void (*handler)(int)) {
 }  // namespace
 
 InterruptRequest::InterruptRequest() {
-    requested = false;
-    set_handlers(request);
+    if (alive++ == 0) {
+        requested = false;
+        set_handlers(request);
+    }
 }
 
-InterruptRequest::~InterruptRequest() { set_handlers(SIG_DFL); }
+InterruptRequest::~InterruptRequest() {
+    if (--alive == 0) {
+        set_handlers(SIG_DFL);
+    }
+}
 
 bool InterruptRequest::made() const { return requested; }
 

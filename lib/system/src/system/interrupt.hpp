@@ -3,7 +3,7 @@
 namespace ddtool {
 
 /// While one lives, the first Ctrl-C (SIGINT) or SIGTERM does not end the program but asks it to finish; the second
-/// ends it as usual. One at a time.
+/// ends it as usual. Where several live, as a training inside a longer work, all of them are asked.
 class InterruptRequest {
 public:
     InterruptRequest();

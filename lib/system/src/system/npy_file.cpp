@@ -16,9 +16,15 @@ constexpr std::size_t alignment_bytes = 64;
 constexpr std::string_view shape_key = "'shape': (";
 
 std::string header_text(const NpyFormat& format, std::size_t rows) {
-    const std::string second_axis = format.columns == 0 ? "" : " " + std::to_string(format.columns);
-    return "{'descr': " + format.descr + ", 'fortran_order': False, " + std::string(shape_key) + std::to_string(rows) +
-           "," + second_axis + "), }";
+    std::string text = "{'descr': ";
+    text += format.descr;
+    text += ", 'fortran_order': False, ";
+    text += shape_key;
+    text += std::to_string(rows) + ",";
+    if (format.columns > 0) {
+        text += " " + std::to_string(format.columns);
+    }
+    return text += "), }";
 }
 
 std::string header(const NpyFormat& format, std::size_t rows) {

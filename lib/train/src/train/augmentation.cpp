@@ -4,9 +4,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "train/shuffle.hpp"
+#include "train/draws.hpp"
 
-namespace ddtool::learning {
+namespace ddtool::train {
 namespace {
 
 /// Mirrored about the x axis, then turned, about the origin.
@@ -88,4 +88,4 @@ void augment(std::vector<SnapshotParticle>& particles, const AugmentationSetting
     }
 }
 
-}  // namespace ddtool::learning
+}  // namespace ddtool::train

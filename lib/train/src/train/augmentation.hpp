@@ -7,11 +7,11 @@
 #include "ddtool/swarm/particle_snapshot.hpp"
 #include "train/train_settings.hpp"
 
-namespace ddtool::learning {
+namespace ddtool::train {
 
 /// The same swarm seen from another side, or with fewer particles: poses and motions turned about the swarm's middle
 /// and the robot's previous pose, mirrored, thinned to a number of particles drawn evenly in its logarithm between
 /// least_particles and all. What the label is made from does not change.
 void augment(std::vector<SnapshotParticle>& particles, const AugmentationSettings& settings, RandomStream& random);
 
-}  // namespace ddtool::learning
+}  // namespace ddtool::train

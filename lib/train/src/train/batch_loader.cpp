@@ -13,9 +13,9 @@
 #include "ddtool/base/error.hpp"
 #include "ddtool/network/particle_renderer.hpp"
 #include "train/augmentation.hpp"
-#include "train/random_purpose.hpp"
+#include "train/draws.hpp"
 
-namespace ddtool::learning {
+namespace ddtool::train {
 namespace {
 
 /// Makes batches, one after the other.
@@ -149,4 +149,4 @@ BatchLoader::~BatchLoader() = default;
 
 bool BatchLoader::next(Batch& batch) { return worker_->next(batch); }
 
-}  // namespace ddtool::learning
+}  // namespace ddtool::train

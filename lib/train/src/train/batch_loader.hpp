@@ -8,7 +8,7 @@
 #include "train/sampler.hpp"
 #include "train/train_settings.hpp"
 
-namespace ddtool::learning {
+namespace ddtool::train {
 
 /// Images of one batch and their classes.
 struct Batch {
@@ -36,4 +36,4 @@ private:
     std::unique_ptr<Worker> worker_;
 };
 
-}  // namespace ddtool::learning
+}  // namespace ddtool::train

@@ -2,7 +2,7 @@
 
 #include "ddtool/base/error.hpp"
 
-namespace ddtool::learning {
+namespace ddtool::train {
 namespace {
 
 EngineProvider provider = nullptr;
@@ -18,4 +18,4 @@ const Engine& engine() {
     return provider();
 }
 
-}  // namespace ddtool::learning
+}  // namespace ddtool::train

@@ -9,7 +9,7 @@
 #include "train/history.hpp"
 #include "train/train_settings.hpp"
 
-namespace ddtool::learning {
+namespace ddtool::train {
 
 struct TrainRequest {
     std::filesystem::path data;  ///< folder of a data set
@@ -64,4 +64,4 @@ void set_engine_provider(EngineProvider provider);
 /// Throws Error where there is no provider.
 const Engine& engine();
 
-}  // namespace ddtool::learning
+}  // namespace ddtool::train

@@ -8,7 +8,7 @@
 #include "system/crc.hpp"
 #include "tensorboard_event.pb.h"
 
-namespace ddtool::learning {
+namespace ddtool::train {
 namespace {
 
 void append_little_endian(std::string& bytes, std::unsigned_integral auto number) {
@@ -75,4 +75,4 @@ void write_event_file(const std::filesystem::path& path, std::span<const StepSca
     }
 }
 
-}  // namespace ddtool::learning
+}  // namespace ddtool::train

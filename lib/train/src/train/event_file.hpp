@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-namespace ddtool::learning {
+namespace ddtool::train {
 
 /// What TensorBoard shows of one step.
 struct StepScalars {
@@ -24,4 +24,4 @@ std::string event_file_of(std::span<const StepScalars> steps);
 /// open goes on reading; any other is replaced. Throws Error naming the file.
 void write_event_file(const std::filesystem::path& path, std::span<const StepScalars> steps);
 
-}  // namespace ddtool::learning
+}  // namespace ddtool::train

@@ -9,7 +9,7 @@
 #include "system/folder.hpp"
 #include "train/event_file.hpp"
 
-namespace ddtool::learning {
+namespace ddtool::train {
 namespace {
 
 /// A curve over the epochs. Those of a group share a picture, and in TensorBoard a section.
@@ -99,4 +99,4 @@ void write_history(const std::filesystem::path& folder, const std::vector<EpochR
     write_event_file(folder / event_file_name, scalars_of(epochs));
 }
 
-}  // namespace ddtool::learning
+}  // namespace ddtool::train

@@ -5,7 +5,7 @@
 
 #include "ddtool/system/json_struct.hpp"
 
-namespace ddtool::learning {
+namespace ddtool::train {
 
 /// One epoch's figures. The positive class is degenerate.
 struct EpochRecord {
@@ -31,4 +31,4 @@ inline constexpr const char* event_file_name = "events.out.tfevents.ddtool";
 /// whole. The same epochs give the same bytes. Throws Error naming the file.
 void write_history(const std::filesystem::path& folder, const std::vector<EpochRecord>& epochs);
 
-}  // namespace ddtool::learning
+}  // namespace ddtool::train

@@ -6,7 +6,7 @@
 
 #include "ddtool/base/error.hpp"
 
-namespace ddtool::learning {
+namespace ddtool::train {
 namespace {
 
 constexpr std::uint64_t most_processes = 1U << 20U;
@@ -153,4 +153,4 @@ std::string first_host(const std::string& node_list) {
     return host;
 }
 
-}  // namespace ddtool::learning
+}  // namespace ddtool::train

@@ -7,7 +7,7 @@
 
 #include "train/sampler.hpp"
 
-namespace ddtool::learning {
+namespace ddtool::train {
 
 /// The processes that train one network together, as seen by one of them.
 struct ProcessGroup {
@@ -31,4 +31,4 @@ std::optional<ProcessGroup> process_group(const Environment& environment = proce
 /// The first host of a Slurm node list, such as "rack[2-3]node[01,07-09],login" -> "rack2node01".
 std::string first_host(const std::string& node_list);
 
-}  // namespace ddtool::learning
+}  // namespace ddtool::train

@@ -5,10 +5,9 @@
 #include <string>
 
 #include "ddtool/base/error.hpp"
-#include "train/random_purpose.hpp"
-#include "train/shuffle.hpp"
+#include "train/draws.hpp"
 
-namespace ddtool::learning {
+namespace ddtool::train {
 namespace {
 
 /// A rank's piece of a global batch; the pieces lie in the order of the ranks and differ by one sample at most.
@@ -48,4 +47,4 @@ EpochPlan evaluation_pass(const std::vector<std::size_t>& samples, std::size_t b
     return plan;
 }
 
-}  // namespace ddtool::learning
+}  // namespace ddtool::train

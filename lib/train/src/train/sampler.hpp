@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace ddtool::learning {
+namespace ddtool::train {
 
 /// Which process of a distributed training this is.
 struct Rank {
@@ -29,4 +29,4 @@ EpochPlan training_epoch(const std::vector<std::size_t>& samples, std::size_t ba
 /// All samples in order, the last batch perhaps smaller.
 EpochPlan evaluation_pass(const std::vector<std::size_t>& samples, std::size_t batch_size);
 
-}  // namespace ddtool::learning
+}  // namespace ddtool::train

@@ -4,7 +4,7 @@
 
 #include "system/expect.hpp"
 
-namespace ddtool::learning {
+namespace ddtool::train {
 namespace {
 
 constexpr std::array<const char*, 2> loss_names{"cross-entropy", "bce"};
@@ -45,4 +45,4 @@ void expect_valid(const TrainSettings& settings) {
     expect_one_of("precision", settings.precision, precision_names);
 }
 
-}  // namespace ddtool::learning
+}  // namespace ddtool::train

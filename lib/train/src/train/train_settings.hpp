@@ -7,7 +7,7 @@
 #include "dataset/sample_record.hpp"
 #include "ddtool/network/image_settings.hpp"
 
-namespace ddtool::learning {
+namespace ddtool::train {
 
 /// Changes of a swarm that keep its label (docs/training.md).
 struct AugmentationSettings {
@@ -55,4 +55,4 @@ dataset::Split split_of(const TrainSettings& settings);
 /// Throws UsageError naming the setting for a value that makes no sense. The model's name is checked by its makers.
 void expect_valid(const TrainSettings& settings);
 
-}  // namespace ddtool::learning
+}  // namespace ddtool::train

@@ -14,7 +14,7 @@ namespace ddtool::ablation::test {
 /// Not a network: the share of marked pixels, above or below what its settings' seed says.
 class BrightnessModel : public native::DegreeModel {
 public:
-    explicit BrightnessModel(const learning::TrainSettings& settings) {
+    explicit BrightnessModel(const train::TrainSettings& settings) {
         description_.network = settings.model;
         description_.loss = settings.loss;
         description_.image = settings.image;
@@ -37,16 +37,16 @@ private:
 };
 
 /// "Trains" by writing the settings down, which is all that its models need.
-class FakeEngine : public learning::Engine {
+class FakeEngine : public train::Engine {
 public:
     [[nodiscard]] std::vector<std::string> networks() const override { return {"bright"}; }
-    learning::TrainResult train(const learning::TrainRequest& request) const override {
+    train::TrainResult train(const train::TrainRequest& request) const override {
         ++trainings;
         if (request.settings.model == "broken") {
             throw Error("no such network");
         }
         write_file(request.out / "best.pt", Json(request.settings).dump());
-        learning::TrainResult result;
+        train::TrainResult result;
         result.best = request.out / "best.pt";
         result.interrupted = stop;
         return result;
@@ -55,11 +55,11 @@ public:
         std::filesystem::copy_file(checkpoint, out, std::filesystem::copy_options::overwrite_existing);
     }
     [[nodiscard]] std::unique_ptr<native::DegreeModel> load(const std::filesystem::path& file,
-                                                            const learning::RunOptions& options) const override {
+                                                            const train::RunOptions& options) const override {
         if (options.device != "cpu") {
             throw Error("there is no " + options.device);
         }
-        return std::make_unique<BrightnessModel>(Json::parse(read_file(file)).get<learning::TrainSettings>());
+        return std::make_unique<BrightnessModel>(Json::parse(read_file(file)).get<train::TrainSettings>());
     }
 
     mutable std::size_t trainings = 0;

@@ -10,8 +10,8 @@ namespace {
 
 TEST(InferenceTime, HandsTheSameImageOverThroughAFileAndWithoutOne) {
     const auto swarm = ddtool::test::normal_swarm(30, 1, {0.5, 0.1});
-    const std::vector<detection::Particles> swarms(3, swarm);
-    learning::TrainSettings settings;
+    const std::vector<judge::Particles> swarms(3, swarm);
+    train::TrainSettings settings;
     settings.image.swarm = Swarm::absolute;
     test::BrightnessModel model(settings);
     EXPECT_GT(inference_time_ms(model, swarms, false), 0.0);

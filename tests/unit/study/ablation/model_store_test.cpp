@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "fake_engine.hpp"
+#include "jobs/runner.hpp"
 #include "known_dataset.hpp"
 
 namespace ddtool::ablation {
@@ -19,26 +20,37 @@ protected:
     test::FakeEngine engine_;
 };
 
-TEST_F(ModelStoreTest, TrainsATrainingOnce) {
-    learning::TrainSettings settings;
-    const TrainedModel first = store().model_of(settings);
-    const TrainedModel again = store().model_of(settings);
+TEST_F(ModelStoreTest, FindsWhatWasTrained) {
+    train::TrainSettings settings;
+    EXPECT_FALSE(store().find(settings));
+    const TrainedModel first = store().make(settings);
+    const auto again = store().find(settings);
+    ASSERT_TRUE(again);
     EXPECT_EQ(engine_.trainings, 1U);
-    EXPECT_EQ(again.file, first.file);
-    EXPECT_EQ(again.confusion, first.confusion);
+    EXPECT_EQ(again->file, first.file);
+    EXPECT_EQ(again->confusion, first.confusion);
     EXPECT_EQ(first.confusion.recall(), 1.0) << "seed 1 says degenerate of all";
     EXPECT_EQ(first.confusion.count(), KnownDataset::of_world / 4);
     settings.seed = 2;
-    EXPECT_EQ(store().model_of(settings).confusion.recall(), 0.0);
-    EXPECT_EQ(engine_.trainings, 2U);
+    EXPECT_FALSE(store().find(settings));
+    EXPECT_EQ(store().make(settings).confusion.recall(), 0.0);
+}
+
+TEST_F(ModelStoreTest, AnEntryWithoutItsModelIsNone) {
+    const train::TrainSettings settings;
+    std::filesystem::remove(store().make(settings).file);
+    testing::internal::CaptureStderr();
+    EXPECT_FALSE(store().find(settings));
+    EXPECT_THAT(testing::internal::GetCapturedStderr(), testing::HasSubstr("model.pt: not there"));
 }
 
 TEST_F(ModelStoreTest, GoesOnAfterAStop) {
-    const learning::TrainSettings settings;
+    const train::TrainSettings settings;
     engine_.stop = true;
-    EXPECT_THROW(store().model_of(settings), TrainingStopped);
+    EXPECT_THROW((void)store().make(settings), jobs::Stopped);
+    EXPECT_FALSE(store().find(settings));
     engine_.stop = false;
-    EXPECT_EQ(store().model_of(settings).confusion.recall(), 1.0);
+    EXPECT_EQ(store().make(settings).confusion.recall(), 1.0);
     EXPECT_EQ(engine_.trainings, 2U);
 }
 

@@ -21,7 +21,7 @@ protected:
     [[nodiscard]] std::vector<std::string> ids(const Json& settings) const {
         std::vector<std::string> all;
         for (const Cell& cell : cells_of(experiment_from_json(settings))) {
-            all.push_back(cell.id);
+            all.push_back(cell.key.id());
         }
         return all;
     }
@@ -35,7 +35,7 @@ TEST_F(ExperimentTest, HasACellForEveryWorldMethodAndSeed) {
     const auto cells = cells_of(experiment_from_json(settings_));
     std::set<std::array<std::size_t, 3>> places;
     for (const Cell& cell : cells) {
-        places.insert({cell.world, cell.method, cell.seed});
+        places.insert({cell.world, cell.contestant, cell.seed});
     }
     EXPECT_EQ(cells.size(), 2U * 2U * 3U);
     EXPECT_EQ(places.size(), cells.size());
@@ -96,8 +96,8 @@ TEST_F(ExperimentTest, EverythingThatDecidesTheDataChangesAllIds) {
 TEST_F(ExperimentTest, ASeedInTheWorldsNameDrawsAnotherWorldEverySeed) {
     settings_["worlds"] = Json::array({"random:open:{seed}"});
     const auto cells = cells_of(experiment_from_json(settings_));
-    EXPECT_EQ(cells[0].configuration["data"]["world"], "random:open:1");
-    EXPECT_EQ(cells[2].configuration["data"]["world"], "random:open:2");
+    EXPECT_EQ(cells[0].key.configuration().at("data").at("world"), "random:open:1");
+    EXPECT_EQ(cells[2].key.configuration().at("data").at("world"), "random:open:2");
 }
 
 TEST_F(ExperimentTest, NamesTheNearestKeyForAnUnknownOne) {

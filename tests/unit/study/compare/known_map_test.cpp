@@ -12,7 +12,7 @@
 namespace ddtool::compare {
 namespace {
 
-/// ATE of the method's trajectory over a drive of which every scan's information passes through `seen`.
+/// ATE of the estimator's trajectory over a drive of which every scan's information passes through `seen`.
 template <typename Seen>
 double ate_m(const Seen& seen) {
     const ddtool::test::TemporaryFolder folder;
@@ -23,15 +23,15 @@ double ate_m(const Seen& seen) {
     const auto told = std::make_shared<ScanTruth>();
     stream.tell_truth(told);
     const auto passed_on = std::make_shared<ScanTruth>();
-    KnownMapMethod method(settings.odometry, 1, passed_on);
+    KnownMapEstimator estimator(settings.odometry, 1, passed_on);
     Trajectory truth;
     while (const std::optional<SensorFrame> frame = stream.next()) {
         const std::int64_t stamp_ns = frame->scan.stamp_ns;
         passed_on->add(stamp_ns, seen(told->fisher_information(stamp_ns).value()));
         truth.push_back({frame->scan.stamp_ns, *frame->world_from_robot});
-        method.process(*frame);
+        estimator.process(*frame);
     }
-    return score_against(method.trajectory(), truth).absolute->translation_m.rmse;
+    return score_against(estimator.trajectory(), truth).absolute->translation_m.rmse;
 }
 
 TEST(KnownMap, KnowsMoreTheMoreTheScansTell) {
@@ -45,8 +45,8 @@ TEST(KnownMap, KnowsMoreTheMoreTheScansTell) {
 }
 
 TEST(KnownMap, IsForSimulatedWorldsOnly) {
-    KnownMapMethod method({}, 1, std::make_shared<ScanTruth>());
-    EXPECT_THAT(ddtool::test::thrown_text([&] { method.process({}); }), testing::HasSubstr("known-map"));
+    KnownMapEstimator estimator({}, 1, std::make_shared<ScanTruth>());
+    EXPECT_THAT(ddtool::test::thrown_text([&] { estimator.process({}); }), testing::HasSubstr("known-map"));
 }
 
 }  // namespace

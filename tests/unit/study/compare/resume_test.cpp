@@ -6,18 +6,15 @@
 #include <chrono>
 #include <thread>
 
-#include "scores/tum_file.hpp"
 #include "study/compare/runner.hpp"
+#include "system/atomic_file.hpp"
 #include "temporary_folder.hpp"
-#include "thrown_text.hpp"
 #include "tiny_experiment.hpp"
 
 namespace ddtool::compare {
 namespace {
 
 using ddtool::test::TemporaryFolder;
-using ddtool::test::thrown_text;
-using ::testing::HasSubstr;
 
 class ResumeTest : public ::testing::Test {
 protected:
@@ -39,7 +36,7 @@ TEST_F(ResumeTest, ComputesNothingTheSecondTime) {
     EXPECT_EQ(first.computed, 6U);
     EXPECT_EQ(second.computed, 0U);
     for (std::size_t index = 0; index < first.results.size(); ++index) {
-        EXPECT_EQ(second.results[index].score, first.results[index].score);
+        EXPECT_EQ(Json(second.results[index].score), Json(first.results[index].score));
         EXPECT_EQ(second.results[index].scans, first.results[index].scans);
     }
 }
@@ -71,16 +68,32 @@ TEST_F(ResumeTest, GoesOnAfterAKill) {
     EXPECT_LT(before, 80U);
     EXPECT_EQ(resumed.computed, 80U - before);
     for (std::size_t index = 0; index < unbroken.results.size(); ++index) {
-        EXPECT_EQ(resumed.results[index].score, unbroken.results[index].score);
+        EXPECT_EQ(Json(resumed.results[index].score), Json(unbroken.results[index].score));
     }
 }
 
-TEST_F(ResumeTest, RefusesAResultOfAnotherConfiguration) {
-    test::run_in(folder_ / "out", settings_);
+TEST_F(ResumeTest, MakesADamagedResultAnewAndSaysSo) {
+    const RunOutcome first = test::run_in(folder_ / "out", settings_);
     const auto cells = cells_of(experiment_from_json(settings_));
-    const auto file = [&](const Cell& cell) { return folder_ / ("out/cells/" + cell.id + ".json"); };
-    std::filesystem::copy_file(file(cells[0]), file(cells[1]), std::filesystem::copy_options::overwrite_existing);
-    EXPECT_THAT(thrown_text([&] { test::run_in(folder_ / "out", settings_); }), HasSubstr(cells[1].id));
+    const auto file = [&](const Cell& cell, const char* suffix) {
+        return folder_ / ("out/cells/" + cell.key.id() + suffix);
+    };
+    const auto overwrite = std::filesystem::copy_options::overwrite_existing;
+    std::filesystem::copy_file(file(cells[0], ".json"), file(cells[1], ".json"), overwrite);
+    write_file(file(cells[2], ".tum"), "1.0 here");
+    std::filesystem::remove(file(cells[3], ".tum"));
+    write_file(file(cells[4], ".json"), read_file(file(cells[4], ".json")).substr(0, 200));
+    testing::internal::CaptureStderr();
+    const RunOutcome second = test::run_in(folder_ / "out", settings_);
+    const std::string said = testing::internal::GetCapturedStderr();
+    EXPECT_EQ(second.computed, 4U);
+    EXPECT_EQ(test::run_in(folder_ / "out", settings_).computed, 0U);
+    for (std::size_t index = 0; index < cells.size(); ++index) {
+        const bool damaged = index >= 1 && index <= 4;
+        const std::string warning = file(cells[index], ".json").string() + ": damaged, so it counts as missing";
+        EXPECT_EQ(said.find(warning) != std::string::npos, damaged) << said;
+        EXPECT_EQ(Json(second.results[index].score), Json(first.results[index].score));
+    }
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ class RunTest : public ::testing::Test {
 protected:
     [[nodiscard]] Json report(const std::string& name, std::size_t threads) const {
         const Experiment experiment = experiment_from_json(settings_);
-        return report_json(experiment, cells_of(experiment), test::run_in(folder_ / name, settings_, threads).results);
+        return results_json(experiment, cells_of(experiment), test::run_in(folder_ / name, settings_, threads).results);
     }
 
     TemporaryFolder folder_;
@@ -55,7 +55,7 @@ TEST_F(RunTest, RunsEqualCellsOnce) {
     const RunOutcome outcome = test::run_in(folder_ / "out", settings_, 2);
     EXPECT_EQ(outcome.results.size(), 9U);
     EXPECT_EQ(outcome.computed, 6U);
-    EXPECT_EQ(outcome.results[1].score, outcome.results[2].score);
+    EXPECT_EQ(Json(outcome.results[1].score), Json(outcome.results[2].score));
 }
 
 TEST_F(RunTest, DrawsThePicturesThatTheReportNames) {

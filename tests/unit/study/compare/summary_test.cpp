@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "study/compare/median_run.hpp"
 #include "study/compare/result_tables.hpp"
+#include "study/compare/shown_run.hpp"
 
 namespace ddtool::compare {
 namespace {
@@ -24,24 +24,20 @@ Made made(std::size_t seeds, AteOf&& ate_of) {
         all.experiment.worlds.emplace_back(Json(name), Json::object(), "test");
     }
     for (const char* name : {"first", "second"}) {
-        all.experiment.methods.emplace_back(Json{{"name", name}, {"kind", "odometry"}}, Json::object(), "test",
-                                            DetectorTable());
+        all.experiment.contestants.emplace_back(Json{{"name", name}, {"kind", "odometry"}}, Json::object(), "test",
+                                                DetectorTable());
     }
     for (std::size_t seed = 0; seed < seeds; ++seed) {
         all.experiment.seeds.push_back(seed + 1);
         for (std::size_t world = 0; world < 2; ++world) {
             for (std::size_t method = 0; method < 2; ++method) {
-                Cell cell;
-                cell.world = world;
-                cell.method = method;
-                cell.seed = seed;
-                all.cells.push_back(cell);
+                all.cells.push_back({world, method, seed, nullptr, jobs::Key(Json::object()), ""});
                 all.results.emplace_back();
                 const double ate_m = ate_of(world, method, seed);
                 if (ate_m < 0.0) {
                     all.results.back().failure = "broke";
                 } else {
-                    all.results.back().score["ate_m"]["rmse"] = ate_m;
+                    all.results.back().score.ate_m.emplace().rmse = ate_m;
                 }
             }
         }

@@ -5,11 +5,11 @@
 #include <cmath>
 
 #include "known_dataset.hpp"
-#include "study/judge/groups.hpp"
 #include "study/judge/mistakes.hpp"
+#include "study/judge/samples.hpp"
 #include "swarm/rules.hpp"
 
-namespace ddtool::detection {
+namespace ddtool::judge {
 namespace {
 
 using ddtool::test::KnownDataset;
@@ -106,4 +106,4 @@ TEST(Mistakes, ComeWithTheMostWrongFirst) {
 }
 
 }  // namespace
-}  // namespace ddtool::detection
+}  // namespace ddtool::judge

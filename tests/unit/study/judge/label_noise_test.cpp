@@ -10,7 +10,7 @@
 #include "ddtool/base/random.hpp"
 #include "temporary_folder.hpp"
 
-namespace ddtool::detection {
+namespace ddtool::judge {
 namespace {
 
 using dataset::Label;
@@ -27,7 +27,7 @@ public:
     RepeatedRuns(const LabelAt& dispersion, const LabelAt& fisher, std::uint64_t other_particles = 30) {
         const auto label = [](bool degenerate) { return degenerate ? Label::degenerate : Label::not_degenerate; };
         std::vector<dataset::SampleRecord> records;
-        dataset::Manifest manifest{"test", Json::object(), Json::object(), {{"world", "w"}}, {}, {}};
+        dataset::Manifest manifest{"test", Json::object(), {}, {{dataset::SourceKind::world, "w"}}, {}, {}};
         RandomStream random({1});
         for (std::size_t run = 0; run < runs; ++run) {
             dataset::RunEntry entry;
@@ -104,4 +104,4 @@ TEST(LabelNoiseTable, HasBothRulesBySceneAndInAll) {
 }
 
 }  // namespace
-}  // namespace ddtool::detection
+}  // namespace ddtool::judge

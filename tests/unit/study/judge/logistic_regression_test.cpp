@@ -8,7 +8,7 @@
 #include "ddtool/base/error.hpp"
 #include "ddtool/base/random.hpp"
 
-namespace ddtool::detection {
+namespace ddtool::judge {
 namespace {
 
 struct Sampled {
@@ -78,4 +78,4 @@ TEST(LogisticRegression, WantsBothClasses) {
 }
 
 }  // namespace
-}  // namespace ddtool::detection
+}  // namespace ddtool::judge

@@ -7,7 +7,7 @@
 #include "ddtool/base/random.hpp"
 #include "swarms.hpp"
 
-namespace ddtool::detection {
+namespace ddtool::judge {
 namespace {
 
 using ddtool::test::normal_swarm;
@@ -88,4 +88,4 @@ TEST(CovarianceFeatures, AreFiniteForASwarmThatIsAPoint) {
 }
 
 }  // namespace
-}  // namespace ddtool::detection
+}  // namespace ddtool::judge

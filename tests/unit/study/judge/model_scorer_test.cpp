@@ -7,7 +7,7 @@
 #include "ddtool/network/network_detector.hpp"
 #include "swarms.hpp"
 
-namespace ddtool::detection {
+namespace ddtool::judge {
 namespace {
 
 /// Not a network: the share of marked pixels.
@@ -73,4 +73,4 @@ TEST(ModelDetector, FamiliesDifferInMoreThanSeeds) {
 }
 
 }  // namespace
-}  // namespace ddtool::detection
+}  // namespace ddtool::judge

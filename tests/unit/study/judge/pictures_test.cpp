@@ -5,7 +5,7 @@
 #include "known_dataset.hpp"
 #include "study/judge/simple_rules.hpp"
 
-namespace ddtool::detection {
+namespace ddtool::judge {
 namespace {
 
 using ddtool::test::KnownDataset;
@@ -30,4 +30,4 @@ TEST(DrawEvaluations, DrawsEveryPictureAlsoWithoutThresholds) {
 }
 
 }  // namespace
-}  // namespace ddtool::detection
+}  // namespace ddtool::judge

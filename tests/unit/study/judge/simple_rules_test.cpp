@@ -8,7 +8,7 @@
 #include "known_dataset.hpp"
 #include "study/judge/evaluation.hpp"
 
-namespace ddtool::detection {
+namespace ddtool::judge {
 namespace {
 
 using dataset::LabelRule;
@@ -63,4 +63,4 @@ TEST(FittedRules, WithoutLabelsHaveScoresAndNoThresholds) {
 }
 
 }  // namespace
-}  // namespace ddtool::detection
+}  // namespace ddtool::judge

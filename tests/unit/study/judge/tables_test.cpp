@@ -7,7 +7,7 @@
 #include "known_dataset.hpp"
 #include "study/judge/simple_rules.hpp"
 
-namespace ddtool::detection {
+namespace ddtool::judge {
 namespace {
 
 using ddtool::test::KnownDataset;
@@ -51,16 +51,16 @@ TEST(Report, HasEveryDetectorInEveryPart) {
     for (const Detector& rule : fitted_rules(known.data(), dataset::LabelRule::fisher, dataset::Split::held_out)) {
         evaluations.push_back(evaluate(known.data(), rule, {}));
     }
-    const Json report = report_json(known.data(), evaluations, {});
-    EXPECT_EQ(report.at("detectors").size(), evaluations.size());
-    EXPECT_EQ(report.at("confusion").size(), evaluations.size());
-    EXPECT_EQ(report.at("physics").size(), 2 * evaluations.size());
-    EXPECT_EQ(report.at("calibration").size(), 1U);
-    EXPECT_EQ(report.at("reliability").size(), reliability_bin_count);
-    EXPECT_TRUE(report.at("seeds").empty());
+    const Json json = evaluation_json(known.data(), evaluations, {});
+    EXPECT_EQ(json.at("detectors").size(), evaluations.size());
+    EXPECT_EQ(json.at("confusion").size(), evaluations.size());
+    EXPECT_EQ(json.at("physics").size(), 2 * evaluations.size());
+    EXPECT_EQ(json.at("calibration").size(), 1U);
+    EXPECT_EQ(json.at("reliability").size(), reliability_bin_count);
+    EXPECT_TRUE(json.at("seeds").empty());
     // by scene 1, lidar 1, odometry 1, method 1, update distance 1, particles 2
-    EXPECT_EQ(report.at("groups").size(), 7 * evaluations.size());
+    EXPECT_EQ(json.at("groups").size(), 7 * evaluations.size());
 }
 
 }  // namespace
-}  // namespace ddtool::detection
+}  // namespace ddtool::judge

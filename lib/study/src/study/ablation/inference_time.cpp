@@ -36,8 +36,7 @@ private:
 };
 
 /// Draws the image into `pixels`, or has it come through the file.
-void make_image(ParticleRenderer& renderer, detection::Particles swarm, const ScratchFile* file,
-                std::span<float> pixels) {
+void make_image(ParticleRenderer& renderer, judge::Particles swarm, const ScratchFile* file, std::span<float> pixels) {
     if (file == nullptr) {
         renderer.render(swarm, pixels);
         return;
@@ -52,7 +51,7 @@ void make_image(ParticleRenderer& renderer, detection::Particles swarm, const Sc
 
 }  // namespace
 
-double inference_time_ms(native::DegreeModel& model, std::span<const detection::Particles> swarms, bool through_file) {
+double inference_time_ms(native::DegreeModel& model, std::span<const judge::Particles> swarms, bool through_file) {
     ParticleRenderer renderer(model.description().image);
     const ScratchFile file;
     std::vector<float> pixels(renderer.settings().size_px * renderer.settings().size_px);

@@ -2,9 +2,10 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 
-#include "ddtool/base/error.hpp"
+#include "jobs/store.hpp"
 #include "study/judge/evaluation.hpp"
 #include "train/engine.hpp"
 
@@ -17,38 +18,37 @@ struct TrainedModel {
     double auc = 0.0;
 };
 
-/// A training was asked to stop; the same command goes on.
-class TrainingStopped : public Error {
-public:
-    TrainingStopped() : Error("stopped; the same command goes on where it was") {}
-};
-
 /// How trainings and their models are run.
 struct Machine {
     std::string device = "cpu";
     std::size_t threads = 0;  ///< 0: all cores
 };
 
-/// Trained models in a folder, by the fingerprints of their settings and the data set: what is there is not trained
-/// again, and a training that was stopped goes on.
+/// Trained models in a folder, by the ids of their settings and the data set: a folder ID for each, with result.json
+/// (see jobs::Store), model.pt and what its training wrote.
 class ModelStore {
 public:
-    ModelStore(const learning::Engine& engine, std::filesystem::path data, std::filesystem::path folder,
-               Machine machine);
+    ModelStore(const train::Engine& engine, std::filesystem::path data, std::filesystem::path folder, Machine machine);
 
-    /// Trains, exports and tests the network unless that has been done. Throws Error, a TrainingStopped for a training
-    /// that was asked to stop.
-    TrainedModel model_of(const learning::TrainSettings& settings);
+    /// All that decides the model that these settings give.
+    [[nodiscard]] jobs::Key key_of(const train::TrainSettings& settings) const;
+    /// Nullopt for a network that has not been trained and tested, or of which a file is damaged, which a warning
+    /// tells.
+    [[nodiscard]] std::optional<TrainedModel> find(const train::TrainSettings& settings) const;
+    /// Trains, exports and tests the network; a training that was stopped goes on. Throws Error, and jobs::Stopped for
+    /// a training that the user asked to stop.
+    [[nodiscard]] TrainedModel make(const train::TrainSettings& settings) const;
     [[nodiscard]] const dataset::Dataset& data() const { return data_; }
 
 private:
-    void train(const learning::TrainSettings& settings, const std::filesystem::path& folder) const;
-    [[nodiscard]] Json tested(const learning::TrainSettings& settings, const std::filesystem::path& file) const;
+    void run_training(const train::TrainSettings& settings, const std::filesystem::path& folder,
+                      const std::filesystem::path& model) const;
+    [[nodiscard]] TrainedModel tested(const train::TrainSettings& settings, const std::filesystem::path& file) const;
 
-    const learning::Engine& engine_;
+    const train::Engine& engine_;
     std::filesystem::path data_folder_;
     dataset::Dataset data_;
-    std::filesystem::path folder_;
+    jobs::Store models_;
     Machine machine_;
     std::string data_id_;
 };

@@ -9,7 +9,7 @@ namespace {
 
 /// Every setting of a training but the seed.
 Json default_training() {
-    const learning::TrainSettings defaults;  // a temporary makes GCC 12 warn of one that is not initialised
+    const train::TrainSettings defaults;  // a temporary makes GCC 12 warn of one that is not initialised
     Json json = defaults;
     json.erase("seed");
     return json;
@@ -27,14 +27,14 @@ Row row_from(const Json& item, const Json& common, const std::string& where) {
     Json known{{"name", ""}, {"train", common}, {"paper", {{"accuracy", nullptr}, {"f1", nullptr}}}};
     merge_settings(known, item, where);
     known["train"]["seed"] = 0U;
-    Row row{known.at("name"), known.at("train").get<learning::TrainSettings>(),
+    Row row{known.at("name"), known.at("train").get<train::TrainSettings>(),
             figure(known.at("paper").at("accuracy"), where + ".paper.accuracy"),
             figure(known.at("paper").at("f1"), where + ".paper.f1")};
     if (row.name.empty()) {
         throw UsageError(where + ".name: expected a name");
     }
     try {
-        learning::expect_valid(row.settings);
+        train::expect_valid(row.settings);
     } catch (const UsageError& error) {
         throw UsageError(where + ".train." + error.what());
     }
@@ -45,12 +45,13 @@ Timing timing_from(const Json& item, const std::vector<Row>& rows, const std::st
     const Timing defaults;
     Json known{{"row", ""}, {"device", defaults.device}, {"image_file", defaults.image_file}, {"paper_ms", nullptr}};
     merge_settings(known, item, where);
-    Timing timing{known.at("row"), known.at("device"), known.at("image_file"),
-                  figure(known.at("paper_ms"), where + ".paper_ms")};
-    if (std::none_of(rows.begin(), rows.end(), [&](const Row& row) { return row.name == timing.row; })) {
-        throw UsageError(where + ".row: expected the name of a row, not '" + timing.row + "'");
+    const auto name = known.at("row").get<std::string>();
+    const auto row = std::ranges::find(rows, name, &Row::name);
+    if (row == rows.end()) {
+        throw UsageError(where + ".row: expected the name of a row, not '" + name + "'");
     }
-    return timing;
+    return {static_cast<std::size_t>(row - rows.begin()), known.at("device"), known.at("image_file"),
+            figure(known.at("paper_ms"), where + ".paper_ms")};
 }
 
 std::string place(const std::string& list, std::size_t index) { return list + "[" + std::to_string(index) + "]"; }

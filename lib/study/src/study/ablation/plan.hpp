@@ -15,14 +15,14 @@ inline constexpr double not_printed = std::numeric_limits<double>::quiet_NaN();
 /// A row of the table: a training, and what the paper prints for it.
 struct Row {
     std::string name;
-    learning::TrainSettings settings;  ///< but for the seed
+    train::TrainSettings settings;  ///< but for the seed
     double paper_accuracy = not_printed;
     double paper_f1 = not_printed;
 };
 
 /// A way to run the network of a row, one image at a time.
 struct Timing {
-    std::string row;  ///< its name
+    std::size_t row = 0;  ///< position in the plan's rows
     std::string device = "cpu";
     bool image_file = false;  ///< hand the image over through a PNG file, not in memory
     double paper_ms = not_printed;

@@ -12,60 +12,60 @@
 #include "system/fingerprint.hpp"
 
 namespace ddtool::compare {
-namespace {
-
-Json world_defaults(const Json& item, const Json& simulation) {
-    if (item.contains("log")) {
-        return {{"name", ""}, {"log", ""}, {"reference", ""}, {"relations", ""}};
-    }
-    return {{"name", ""}, {"world", ""}, {"simulation", simulation}};
-}
-
-std::string default_name(const Json& settings) {
-    return settings.contains("log") ? std::filesystem::path(settings.at("log").get<std::string>()).stem().string()
-                                    : settings.at("world").get<std::string>();
-}
-
-}  // namespace
 
 WorldEntry::WorldEntry(const Json& item, const Json& simulation, const std::string& where) {
-    const Json changes = item.is_string() ? Json{{"world", item}} : item;
-    settings_ = world_defaults(changes, simulation);
-    merge_settings(settings_, changes, where);
-    name_ = settings_.at("name").get<std::string>();
+    const auto merged = [&](Json settings) {
+        merge_settings(settings, item.is_string() ? Json{{"world", item}} : item, where);
+        name_ = settings.at("name").get<std::string>();
+        return settings;
+    };
+    std::string otherwise;
+    if (item.is_object() && item.contains("log")) {
+        const Json settings = merged({{"name", ""}, {"log", ""}, {"reference", ""}, {"relations", ""}});
+        const Logged log{settings.at("log"), settings.at("reference"), settings.at("relations")};
+        otherwise = std::filesystem::path(log.log).stem().string();
+        source_ = log;
+    } else {
+        const Json settings = merged({{"name", ""}, {"world", ""}, {"simulation", simulation}});
+        const Simulated world{settings.at("world"), settings.at("simulation")};
+        otherwise = world.pattern;
+        source_ = world;
+    }
     if (name_.empty()) {
-        name_ = default_name(settings_);
+        name_ = otherwise;
     }
 }
 
-DataSource WorldEntry::data(std::uint64_t seed) const { return settings_.contains("log") ? logged() : simulated(seed); }
+DataSource WorldEntry::data(std::uint64_t seed) const {
+    return std::visit([&](const auto& source) { return data_of(source, seed); }, source_);
+}
 
-DataSource WorldEntry::simulated(std::uint64_t seed) const {
-    const std::string world = expand(settings_.at("world").get<std::string>(), name_, seed);
-    Json simulation = settings_.at("simulation");
+DataSource WorldEntry::data_of(const Simulated& source, std::uint64_t seed) const {
+    const std::string world = expand(source.pattern, name_, seed);
+    Json simulation = source.simulation;
     simulation["seed"] = seed;
-    DataSource source;
-    source.identity = {
+    DataSource data;
+    data.identity = {
         {"world", world}, {"fingerprint", sim::world_fingerprint(sim::load_world(world))}, {"simulation", simulation}};
-    source.open = [world, settings = sim::simulation_from_json(simulation)](const LogProblemHandler&) {
+    data.open = [world, settings = sim::simulation_from_json(simulation)](const LogProblemHandler&) {
         return std::make_unique<sim::SimulatedStream>(sim::load_world(world), settings);
     };
-    return source;
+    return data;
 }
 
-DataSource WorldEntry::logged() const {
-    const auto text = [&](const char* key) { return settings_.at(key).get<std::string>(); };
-    DataSource source{.open = {},
-                      .reference_file = text("reference"),
-                      .relations_file = text("relations"),
-                      .identity = {{"log", text("log")}, {"fingerprint", file_fingerprint(text("log"))}}};
-    for (const char* key : {"reference", "relations"}) {
-        source.identity[key] = text(key).empty() ? "" : file_fingerprint(text(key));
-    }
-    source.open = [path = text("log")](const LogProblemHandler& on_problem) {
+DataSource WorldEntry::data_of(const Logged& source, std::uint64_t /*seed*/) const {
+    const auto fingerprint = [](const std::string& file) { return file.empty() ? "" : file_fingerprint(file); };
+    DataSource data{.open = {},
+                    .reference_file = source.reference,
+                    .relations_file = source.relations,
+                    .identity = {{"log", source.log},
+                                 {"fingerprint", file_fingerprint(source.log)},
+                                 {"reference", fingerprint(source.reference)},
+                                 {"relations", fingerprint(source.relations)}}};
+    data.open = [path = source.log](const LogProblemHandler& on_problem) {
         return std::make_unique<DrivenScans>(open_log(path, LogOptions{}, on_problem), RbpfSettings{});
     };
-    return source;
+    return data;
 }
 
 }  // namespace ddtool::compare

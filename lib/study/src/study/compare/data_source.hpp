@@ -4,6 +4,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <variant>
 
 #include "ddtool/logs/log_problem.hpp"
 #include "ddtool/robot/sensor_stream.hpp"
@@ -11,7 +12,7 @@
 
 namespace ddtool::compare {
 
-/// The scans that every method of a comparison gets, and where the truth about them is.
+/// The scans that every contestant gets, and where the truth about them is.
 struct DataSource {
     /// The frames from the start, each time anew; safe to call from many threads.
     std::function<std::unique_ptr<SensorStream>(const LogProblemHandler& on_problem)> open;
@@ -32,11 +33,21 @@ public:
     [[nodiscard]] DataSource data(std::uint64_t seed) const;
 
 private:
-    [[nodiscard]] DataSource simulated(std::uint64_t seed) const;
-    [[nodiscard]] DataSource logged() const;
+    struct Simulated {
+        std::string pattern;  ///< the world's name or file, with {seed} in it where each seed has its own
+        Json simulation;      ///< all settings but the seed
+    };
+    struct Logged {
+        std::string log;
+        std::string reference;
+        std::string relations;
+    };
+
+    [[nodiscard]] DataSource data_of(const Simulated& source, std::uint64_t seed) const;
+    [[nodiscard]] DataSource data_of(const Logged& source, std::uint64_t seed) const;
 
     std::string name_;
-    Json settings_;
+    std::variant<Simulated, Logged> source_;
 };
 
 }  // namespace ddtool::compare

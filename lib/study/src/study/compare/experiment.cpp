@@ -34,13 +34,13 @@ std::vector<Entry> entries_from(const Json& settings, const std::string& list, c
     return entries;
 }
 
-std::size_t baseline_from(const std::string& name, const std::vector<MethodEntry>& methods) {
+std::size_t baseline_from(const std::string& name, const std::vector<Contestant>& contestants) {
     std::vector<std::string> names;
-    for (const MethodEntry& method : methods) {
-        if (name.empty() || method.name() == name) {
+    for (const Contestant& contestant : contestants) {
+        if (name.empty() || contestant.name() == name) {
             return names.size();
         }
-        names.push_back(method.name());
+        names.push_back(contestant.name());
     }
     throw UsageError("baseline: unknown method '" + name + "'; did you mean: " + joined(nearest_words(name, names)) +
                      "?");
@@ -74,10 +74,10 @@ Json default_experiment_json() {
 
 Experiment experiment_from_json(const Json& settings, const DetectorTable& detectors) {
     Experiment experiment{.worlds = entries_from<WorldEntry>(settings, "worlds", "simulation"),
-                          .methods = entries_from<MethodEntry>(settings, "methods", "filter", detectors),
+                          .contestants = entries_from<Contestant>(settings, "methods", "filter", detectors),
                           .seeds = seeds_from_json(settings.at("seeds"), "seeds"),
                           .score = score_from(settings.at("score"))};
-    experiment.baseline = baseline_from(settings.at("baseline").get<std::string>(), experiment.methods);
+    experiment.baseline = baseline_from(settings.at("baseline").get<std::string>(), experiment.contestants);
     return experiment;
 }
 
@@ -88,14 +88,13 @@ std::vector<Cell> cells_of(const Experiment& experiment) {
             const WorldEntry& entry = experiment.worlds[world];
             const auto data = std::make_shared<const DataSource>(entry.data(experiment.seeds[seed]));
             const std::string data_id = Fingerprint().add(data->identity.dump()).hex();
-            for (std::size_t method = 0; method < experiment.methods.size(); ++method) {
-                const Json identity = experiment.methods[method].identity(entry.name(), experiment.seeds[seed]);
-                const Json configuration{{"format", format},
-                                         {"data", data->identity},
-                                         {"method", identity},
-                                         {"score", score_identity(experiment.score)}};
-                const std::string id = Fingerprint().add(configuration.dump()).hex();
-                cells.push_back({world, method, seed, data, configuration, id, data_id});
+            for (std::size_t contestant = 0; contestant < experiment.contestants.size(); ++contestant) {
+                const Json identity = experiment.contestants[contestant].identity(entry.name(), experiment.seeds[seed]);
+                jobs::Key key(Json{{"format", format},
+                                   {"data", data->identity},
+                                   {"method", identity},
+                                   {"score", score_identity(experiment.score)}});
+                cells.push_back({world, contestant, seed, data, std::move(key), data_id});
             }
         }
     }
@@ -103,7 +102,7 @@ std::vector<Cell> cells_of(const Experiment& experiment) {
 }
 
 std::string title_of(const Experiment& experiment, const Cell& cell) {
-    return experiment.worlds[cell.world].name() + " / " + experiment.methods[cell.method].name() + " / seed " +
+    return experiment.worlds[cell.world].name() + " / " + experiment.contestants[cell.contestant].name() + " / seed " +
            std::to_string(experiment.seeds[cell.seed]);
 }
 

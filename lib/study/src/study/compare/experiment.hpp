@@ -7,37 +7,37 @@
 #include <vector>
 
 #include "ddtool/system/settings.hpp"
+#include "jobs/store.hpp"
 #include "scores/absolute_error.hpp"
+#include "study/compare/contestant.hpp"
 #include "study/compare/data_source.hpp"
-#include "study/compare/method.hpp"
 
 namespace ddtool::compare {
 
-/// Methods x worlds x seeds.
+/// Contestants x worlds x seeds.
 struct Experiment {
     std::vector<WorldEntry> worlds;
-    std::vector<MethodEntry> methods;
+    std::vector<Contestant> contestants;
     std::vector<std::uint64_t> seeds;
-    std::size_t baseline = 0;  ///< the method that the others are tested against
+    std::size_t baseline = 0;  ///< the contestant that the others are tested against
     AteOptions score;
 };
 
 /// Every setting of an experiment with its default: the keys a configuration may have.
 Json default_experiment_json();
 
-/// detectors: those that methods may name. Throws UsageError naming the key for what makes no sense: nothing to
+/// detectors: those that contestants may name. Throws UsageError naming the key for what makes no sense: nothing to
 /// compare, a name given twice, an unknown one.
 Experiment experiment_from_json(const Json& settings, const DetectorTable& detectors = {});
 
-/// One method on one world with one seed.
+/// One contestant on one world with one seed.
 struct Cell {
     std::size_t world = 0;
-    std::size_t method = 0;
+    std::size_t contestant = 0;
     std::size_t seed = 0;  ///< position in the experiment's seeds
     std::shared_ptr<const DataSource> data;
-    Json configuration;   ///< everything that decides the result
-    std::string id;       ///< fingerprint of the configuration
-    std::string data_id;  ///< fingerprint of data->identity: the same for all methods
+    jobs::Key key;        ///< of everything that decides the result
+    std::string data_id;  ///< fingerprint of data->identity: the same for all contestants
 };
 
 /// All cells, seed by seed, so that a run that was cut short has whole seeds.

@@ -39,11 +39,11 @@ Eigen::Vector3d noise_of(const sim::OdometrySettings& odometry, const Pose2& mot
 
 }  // namespace
 
-KnownMapMethod::KnownMapMethod(const sim::OdometrySettings& odometry, std::uint64_t seed,
-                               std::shared_ptr<const ScanTruth> truth)
+KnownMapEstimator::KnownMapEstimator(const sim::OdometrySettings& odometry, std::uint64_t seed,
+                                     std::shared_ptr<const ScanTruth> truth)
     : odometry_(odometry), random_({seed, measurement_draw}), truth_(std::move(truth)) {}
 
-void KnownMapMethod::process(const SensorFrame& frame) {
+void KnownMapEstimator::process(const SensorFrame& frame) {
     const auto information = truth_->fisher_information(frame.scan.stamp_ns);
     if (!frame.world_from_robot || !information) {
         throw Error(
@@ -67,7 +67,7 @@ void KnownMapMethod::process(const SensorFrame& frame) {
     steps_.push_back(step);
 }
 
-void KnownMapMethod::predict(const Pose2& motion, double duration_s, Step& step) const {
+void KnownMapEstimator::predict(const Pose2& motion, double duration_s, Step& step) const {
     const Step& before = steps_.back();
     const Eigen::Matrix3d world_from_robot = rotation_of(before.filtered(2));
     const Eigen::Vector3d way = world_from_robot * Eigen::Vector3d(motion.x_m, motion.y_m, 0.0);
@@ -84,7 +84,7 @@ void KnownMapMethod::predict(const Pose2& motion, double duration_s, Step& step)
         world_from_robot * noise_of(odometry_, motion).asDiagonal() * world_from_robot.transpose();
 }
 
-void KnownMapMethod::correct(const Pose2& true_pose, const Eigen::Matrix3d& information_in_robot, Step& step) {
+void KnownMapEstimator::correct(const Pose2& true_pose, const Eigen::Matrix3d& information_in_robot, Step& step) {
     const Eigen::Matrix3d world_from_robot = rotation_of(true_pose.theta_rad);
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(world_from_robot * information_in_robot *
                                                               world_from_robot.transpose());
@@ -101,7 +101,7 @@ void KnownMapMethod::correct(const Pose2& true_pose, const Eigen::Matrix3d& info
     step.filtered = step.predicted + step.covariance.leftCols<3>() * pull;
 }
 
-Trajectory KnownMapMethod::trajectory() {
+Trajectory KnownMapEstimator::trajectory() {
     Trajectory trajectory(steps_.size());
     Vector5 smoothed = Vector5::Zero();
     for (std::size_t i = steps_.size(); i-- > 0;) {

@@ -9,7 +9,7 @@
 #include "ddtool/base/random.hpp"
 #include "ddtool/robot/scan_truth.hpp"
 #include "sim/wheel_odometry.hpp"
-#include "study/compare/method.hpp"
+#include "study/compare/contestant.hpp"
 
 namespace ddtool::compare {
 
@@ -21,10 +21,11 @@ namespace ddtool::compare {
 /// are unknown and constant. Both are joined by a Rauch-Tung-Striebel smoother over (x, y, theta, scale, bias),
 /// linearised at its own estimates (Rauch, Tung, Striebel 1965, "Maximum likelihood estimates of linear dynamic
 /// systems").
-class KnownMapMethod : public Method {
+class KnownMapEstimator : public Estimator {
 public:
     /// truth: has the Fisher information of the frames that will come.
-    KnownMapMethod(const sim::OdometrySettings& odometry, std::uint64_t seed, std::shared_ptr<const ScanTruth> truth);
+    KnownMapEstimator(const sim::OdometrySettings& odometry, std::uint64_t seed,
+                      std::shared_ptr<const ScanTruth> truth);
     /// Throws Error for a frame without true pose or Fisher information.
     void process(const SensorFrame& frame) override;
     Trajectory trajectory() override;

@@ -30,14 +30,14 @@ std::set<std::string> programs_of(const std::vector<CellResult>& results) {
 std::string how_to_read(const Experiment& experiment) {
     return "Median over " + std::to_string(experiment.seeds.size()) +
            " seeds [quartiles]; a run that failed counts as an infinite error. * differs from " +
-           experiment.methods[experiment.baseline].name() +
+           experiment.contestants[experiment.baseline].name() +
            ": Wilcoxon's signed-rank test, paired over seeds, exact, two-sided, below 0.05 after Holm's correction "
            "over all tests of the same error.";
 }
 
 /// Says so when the experiment is too small to show anything at all.
 std::string power_note(const Experiment& experiment) {
-    const std::size_t tests = experiment.worlds.size() * (experiment.methods.size() - 1);
+    const std::size_t tests = experiment.worlds.size() * (experiment.contestants.size() - 1);
     const auto seeds = static_cast<double>(experiment.seeds.size());
     const double least_p = static_cast<double>(tests) * std::exp2(1.0 - seeds);
     if (tests == 0 || least_p < 0.05) {
@@ -119,8 +119,9 @@ html::Page page(const std::filesystem::path& folder, const std::vector<Section>&
 
 }  // namespace
 
-Json report_json(const Experiment& experiment, const std::vector<Cell>& cells, const std::vector<CellResult>& results) {
-    return {{"baseline", experiment.methods[experiment.baseline].name()},
+Json results_json(const Experiment& experiment, const std::vector<Cell>& cells,
+                  const std::vector<CellResult>& results) {
+    return {{"baseline", experiment.contestants[experiment.baseline].name()},
             {"seeds", experiment.seeds},
             {"rows", full_table(experiment, summaries_of(experiment, cells, results)).json()},
             {"failures", failure_table(experiment, cells, results).json()},
@@ -134,7 +135,7 @@ bool write_report(const std::filesystem::path& folder, const Experiment& experim
     const std::string computed_by = "Computed by " + joined({programs.begin(), programs.end()}) + ".";
     write_file(folder / "results.md", markdown(sections, computed_by));
     write_file(folder / "results.csv", full_table(experiment, summaries_of(experiment, cells, results)).csv());
-    write_file(folder / "results.json", report_json(experiment, cells, results).dump(2) + "\n");
+    write_file(folder / "results.json", results_json(experiment, cells, results).dump(2) + "\n");
     return html::write_page(folder / "report.html", [&] { return page(folder, sections, computed_by); });
 }
 

@@ -14,8 +14,8 @@ struct Picture {
     std::string file;  ///< relative to the report
 };
 
-/// {"baseline", "seeds", "rows": one a metric, world and method; "failures", "programs": builds that computed}.
-Json report_json(const Experiment& experiment, const std::vector<Cell>& cells, const std::vector<CellResult>& results);
+/// {"baseline", "seeds", "rows": one a metric, world and contestant; "failures", "programs": builds that computed}.
+Json results_json(const Experiment& experiment, const std::vector<Cell>& cells, const std::vector<CellResult>& results);
 
 /// results.md, results.csv, results.json and report.html (docs/reports.md) in the folder. Returns whether the last,
 /// which nothing else depends on, could be written.

@@ -55,16 +55,16 @@ Table with_statistics(std::vector<Table::Column> columns) {
 
 Table overview_table(const Experiment& experiment, const std::vector<Summary>& summaries) {
     std::vector<Table::Column> columns{{"world"}, {"error"}};
-    for (const MethodEntry& method : experiment.methods) {
-        columns.push_back({method.name()});
+    for (const Contestant& contestant : experiment.contestants) {
+        columns.push_back({contestant.name()});
     }
     Table table(columns);
     for (std::size_t world = 0; world < experiment.worlds.size(); ++world) {
         const Summary* first = main_summary(summaries, world, 0);
-        const Metric metric = first == nullptr ? Metric{"-", "-", ""} : all_metrics()[first->metric];
+        const Metric metric = first == nullptr ? Metric{"-", "-", nullptr} : all_metrics()[first->metric];
         std::vector<Table::Cell> row{experiment.worlds[world].name(), metric.name + " [" + metric.unit + "]"};
-        for (std::size_t method = 0; method < experiment.methods.size(); ++method) {
-            const Summary* summary = main_summary(summaries, world, method);
+        for (std::size_t contestant = 0; contestant < experiment.contestants.size(); ++contestant) {
+            const Summary* summary = main_summary(summaries, world, contestant);
             row.emplace_back(summary == nullptr ? "failed" : overview_cell(*summary));
         }
         table.add_row(row);
@@ -77,7 +77,7 @@ Table metric_table(const Experiment& experiment, const std::vector<Summary>& sum
     for (const Summary& summary : summaries) {
         if (summary.metric == metric) {
             std::vector<Table::Cell> row{experiment.worlds[summary.world].name(),
-                                         experiment.methods[summary.method].name()};
+                                         experiment.contestants[summary.contestant].name()};
             add_statistics(row, summary);
             table.add_row(row);
         }
@@ -90,7 +90,7 @@ Table full_table(const Experiment& experiment, const std::vector<Summary>& summa
     for (const Summary& summary : summaries) {
         const Metric& metric = all_metrics()[summary.metric];
         std::vector<Table::Cell> row{metric.name, metric.unit, experiment.worlds[summary.world].name(),
-                                     experiment.methods[summary.method].name()};
+                                     experiment.contestants[summary.contestant].name()};
         add_statistics(row, summary);
         table.add_row(row);
     }
@@ -102,7 +102,8 @@ Table failure_table(const Experiment& experiment, const std::vector<Cell>& cells
     Table table({{"world"}, {"method"}, {"seed"}, {"why"}});
     for (std::size_t index = 0; index < cells.size(); ++index) {
         if (!results[index].failure.empty()) {
-            table.add_row({experiment.worlds[cells[index].world].name(), experiment.methods[cells[index].method].name(),
+            table.add_row({experiment.worlds[cells[index].world].name(),
+                           experiment.contestants[cells[index].contestant].name(),
                            static_cast<std::int64_t>(experiment.seeds[cells[index].seed]), results[index].failure});
         }
     }

@@ -1,65 +1,103 @@
 #include "study/compare/runner.hpp"
 
-#include <map>
+#include <chrono>
 
-#include "study/compare/cell_run.hpp"
-#include "system/atomic_file.hpp"
-#include "system/failure_text.hpp"
-#include "system/task_progress.hpp"
+#include "ddtool/base/error.hpp"
+#include "ddtool/robot/scan_truth.hpp"
+#include "jobs/runner.hpp"
+#include "scores/tum_file.hpp"
 
 namespace ddtool::compare {
 namespace {
 
-/// For every cell the first one that is equal to it.
-std::vector<std::size_t> first_equals(const std::vector<Cell>& cells) {
-    std::map<std::string, std::size_t> first;
-    std::vector<std::size_t> firsts;
-    for (std::size_t index = 0; index < cells.size(); ++index) {
-        firsts.push_back(first.try_emplace(cells[index].id, index).first->second);
+using Clock = std::chrono::steady_clock;
+
+/// Feeds the estimator; gives back what the frames say of the truth.
+Trajectory feed(Estimator& estimator, const DataSource& data, const std::shared_ptr<ScanTruth>& scan_truth,
+                CellResult& result, const jobs::OnProgress& on_progress) {
+    Trajectory truth;
+    const std::unique_ptr<SensorStream> stream = data.open([&](const LogProblem&) { ++result.log_problems; });
+    stream->tell_truth(scan_truth);
+    while (const std::optional<SensorFrame> frame = stream->next()) {
+        estimator.process(*frame);
+        if (frame->world_from_robot) {
+            truth.push_back({frame->scan.stamp_ns, *frame->world_from_robot});
+        }
+        ++result.scans;
+        on_progress(stream->fraction_read());
     }
-    return firsts;
+    return truth;
+}
+
+ScoreFigures score_of(const Trajectory& estimate, const Trajectory& truth, const DataSource& data,
+                      const AteOptions& options) {
+    TrajectoryScore score;
+    if (!truth.empty()) {
+        score = score_against(estimate, truth, {.ate = options, .rpe_delta = {}});
+    }
+    if (!data.relations_file.empty()) {
+        const std::vector<Relation> relations = read_relations(data.relations_file);
+        score.relations = score_relations(estimate, relations, options.max_time_difference_s);
+        if (score.relations->skipped == relations.size()) {
+            throw Error(data.relations_file + ": none of its relations has both times in the trajectory");
+        }
+    }
+    if (!score.absolute && !score.relations) {
+        throw Error("no truth to compare with: expected ground truth in the log, a reference or relations");
+    }
+    return figures_of(score);
+}
+
+/// Runs the cell from the first frame to the last, scores it and saves it. Throws Error for what keeps it from being
+/// scored.
+CellResult run_cell(const Experiment& experiment, const Cell& cell, ResultStore& store, const std::string& program,
+                    const jobs::OnProgress& on_progress) {
+    const Clock::time_point start = Clock::now();
+    CellResult result;
+    result.program = program;
+    const auto scan_truth = std::make_shared<ScanTruth>();
+    const auto estimator = experiment.contestants[cell.contestant].start(experiment.worlds[cell.world].name(),
+                                                                         experiment.seeds[cell.seed], scan_truth);
+    Trajectory truth = feed(*estimator, *cell.data, scan_truth, result, on_progress);
+    if (!cell.data->reference_file.empty()) {
+        truth = read_tum(cell.data->reference_file);
+    }
+    const Trajectory estimate = estimator->trajectory();
+    if (estimate.empty()) {
+        throw Error("no poses in the trajectory");
+    }
+    result.score = score_of(estimate, truth, *cell.data, experiment.score);
+    result.duration_s = std::chrono::duration<double>(Clock::now() - start).count();
+    if (!truth.empty()) {
+        store.save_truth(cell, truth);
+    }
+    store.save(cell, result, estimate);
+    return result;
 }
 
 }  // namespace
 
 RunOutcome run_cells(const Experiment& experiment, const std::vector<Cell>& cells, ResultStore& store,
                      ThreadPool& threads, const std::string& program) {
-    RunOutcome outcome;
-    outcome.results.resize(cells.size());
-    const std::vector<std::size_t> firsts = first_equals(cells);
-    std::vector<std::size_t> missing;
-    for (std::size_t index = 0; index < cells.size(); ++index) {
-        if (firsts[index] == index) {
-            if (auto known = store.load(cells[index])) {
-                outcome.results[index] = *known;
-            } else {
-                missing.push_back(index);
-            }
-        }
+    std::vector<jobs::Job<CellResult>> all;
+    all.reserve(cells.size());
+    for (const Cell& cell : cells) {
+        all.push_back({.id = cell.key.id(),
+                       .title = title_of(experiment, cell),
+                       .find = [&] { return store.load(cell); },
+                       .make =
+                           [&](const jobs::OnProgress& on_progress) {
+                               return run_cell(experiment, cell, store, program, on_progress);
+                           },
+                       .note = [](const CellResult&) { return "done"; }});
     }
-    TaskProgress progress("comparing", "runs", missing.size());
-    threads.for_each(missing.size(), [&](std::size_t task, std::size_t /*worker*/) {
-        const Cell& cell = cells[missing[task]];
-        CellResult& result = outcome.results[missing[task]];
-        try {
-            result = run_cell(experiment, cell, store, program, [&](double share) { progress.update(task, share); });
-        } catch (const OutputError&) {
-            throw;
-        } catch (const std::exception& error) {
-            result.failure = failure_text(error);
-        }
-        const std::string title = title_of(experiment, cell);
-        if (result.failure.empty()) {
-            progress.finish(task, title, "done in " + format_duration(result.duration_s));
-        } else {
-            progress.fail(task, title, result.failure);
-        }
-    });
-    for (std::size_t index = 0; index < cells.size(); ++index) {
-        outcome.results[index] = outcome.results[firsts[index]];
+    const jobs::Outcome<CellResult> outcome = jobs::run(all, threads, {"comparing", "runs"});
+    RunOutcome runs{{}, outcome.made};
+    for (const jobs::Result<CellResult>& result : outcome.results) {
+        runs.results.push_back(result.value.value_or(CellResult{}));
+        runs.results.back().failure = result.failure;
     }
-    outcome.computed = missing.size();
-    return outcome;
+    return runs;
 }
 
 }  // namespace ddtool::compare

@@ -14,9 +14,8 @@ struct RunOutcome {
     std::size_t computed = 0;         ///< cells that were run, failed ones too
 };
 
-/// Gives every cell a result: from the store where it is there, else by running it. Cells run in parallel, each on one
-/// thread, equal ones once. One that fails (its text is the failure) does not stop the others and is tried again next
-/// time. `program` names the build that computes.
+/// Gives every cell a result: from the store where it is there, else by running it, as jobs::run() does. `program`
+/// names the build that computes.
 RunOutcome run_cells(const Experiment& experiment, const std::vector<Cell>& cells, ResultStore& store,
                      ThreadPool& threads, const std::string& program);
 

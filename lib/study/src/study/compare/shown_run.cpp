@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
+#include <numeric>
 
 namespace ddtool::compare {
 namespace {
@@ -19,27 +21,15 @@ ShownEstimate shown_estimate(const Trajectory& estimate, const Trajectory& truth
     return shown;
 }
 
-void include(Extent& extent, const Trajectory& trajectory) {
-    for (const StampedPose& stamped : trajectory) {
-        extent.x.include(stamped.pose.x_m);
-        extent.y.include(stamped.pose.y_m);
-    }
-}
-
-void widen(plot::Range& range, double by) {
-    range.low -= by;
-    range.high += by;
-}
-
 }  // namespace
 
 std::string ShownEstimate::title() const {
     if (!errors) {
-        return method;
+        return contestant;
     }
     std::array<char, 48> text{};
     std::snprintf(text.data(), text.size(), ": ATE %.3f m", errors->translation_m.rmse);
-    return method + text.data();
+    return contestant + text.data();
 }
 
 ShownRun shown_run(const Experiment& experiment, const std::vector<Cell>& cells, const std::vector<CellResult>& results,
@@ -51,24 +41,30 @@ ShownRun shown_run(const Experiment& experiment, const std::vector<Cell>& cells,
         const Cell& cell = cells[index];
         if (cell.world == world && cell.seed == seed && results[index].failure.empty()) {
             run.data = cell.data;
-            run.truth = results[index].score.contains("ate_m") ? store.truth(cell) : Trajectory{};
+            run.truth = results[index].score.ate_m ? store.truth(cell) : Trajectory{};
             run.estimates.push_back(shown_estimate(store.estimate(cell), run.truth, experiment.score));
-            run.estimates.back().method = experiment.methods[cell.method].name();
-            run.estimates.back().colour = cell.method;
+            run.estimates.back().contestant = experiment.contestants[cell.contestant].name();
+            run.estimates.back().colour = cell.contestant;
         }
     }
     return run;
 }
 
-Extent extent_of(const ShownRun& run) {
-    Extent extent;
-    include(extent, run.truth);
-    std::for_each(run.estimates.begin(), run.estimates.end(),
-                  [&](const ShownEstimate& estimate) { include(extent, estimate.trajectory); });
-    const double margin_m = 0.5 + 0.04 * std::max(extent.x.length(), extent.y.length());
-    widen(extent.x, margin_m);
-    widen(extent.y, margin_m);
-    return extent;
+std::size_t median_seed(const Experiment& experiment, const std::vector<Summary>& summaries, std::size_t world) {
+    std::vector<double> log_products(experiment.seeds.size(), 0.0);
+    for (std::size_t contestant = 0; contestant < experiment.contestants.size(); ++contestant) {
+        const Summary* summary = main_summary(summaries, world, contestant);
+        for (std::size_t seed = 0; summary != nullptr && seed < log_products.size(); ++seed) {
+            // A failed run is as bad as a thousand kilometres: finite, so that contestants that always fail decide
+            // nothing.
+            log_products[seed] += std::log(std::clamp(summary->values[seed], 1e-9, 1e6));
+        }
+    }
+    std::vector<std::size_t> order(log_products.size());
+    std::iota(order.begin(), order.end(), 0U);
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return log_products[a] < log_products[b]; });
+    return order[(order.size() - 1) / 2];
 }
 
 }  // namespace ddtool::compare

@@ -11,28 +11,35 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Of one metric, by world, method and seed; infinite where a run has none.
+template <std::optional<ErrorStatistics> ScoreFigures::*Error, double ErrorStatistics::*Statistic>
+std::optional<double> figure(const ScoreFigures& score) {
+    return score.*Error ? std::optional((*(score.*Error)).*Statistic) : std::nullopt;
+}
+
+template <std::optional<ErrorStatistics> ScoreFigures::*Error>
+constexpr auto mean_of = figure<Error, &ErrorStatistics::mean>;
+
+/// Of one metric, by world, contestant and seed; infinite where a run has none.
 class Values {
 public:
     Values(const Experiment& experiment, const std::vector<Cell>& cells, const std::vector<CellResult>& results,
            const Metric& metric)
-        : methods_(experiment.methods.size()),
-          values_(experiment.worlds.size() * methods_, std::vector<double>(experiment.seeds.size(), infinity)) {
-        const Json::json_pointer path(metric.path);
+        : contestants_(experiment.contestants.size()),
+          values_(experiment.worlds.size() * contestants_, std::vector<double>(experiment.seeds.size(), infinity)) {
         for (std::size_t index = 0; index < cells.size(); ++index) {
-            const Json value = results[index].score.value(path, Json());
-            if (value.is_number()) {
-                values_[cells[index].world * methods_ + cells[index].method][cells[index].seed] = value;
+            const std::optional<double> value = metric.value(results[index].score);
+            if (value && !std::isnan(*value)) {
+                values_[cells[index].world * contestants_ + cells[index].contestant][cells[index].seed] = *value;
             }
         }
     }
 
-    [[nodiscard]] const std::vector<double>& of(std::size_t world, std::size_t method) const {
-        return values_[world * methods_ + method];
+    [[nodiscard]] const std::vector<double>& of(std::size_t world, std::size_t contestant) const {
+        return values_[world * contestants_ + contestant];
     }
     [[nodiscard]] bool any(std::size_t world) const {
-        for (std::size_t method = 0; method < methods_; ++method) {
-            if (std::any_of(of(world, method).begin(), of(world, method).end(),
+        for (std::size_t contestant = 0; contestant < contestants_; ++contestant) {
+            if (std::any_of(of(world, contestant).begin(), of(world, contestant).end(),
                             [](double v) { return v < infinity; })) {
                 return true;
             }
@@ -41,18 +48,18 @@ public:
     }
 
 private:
-    std::size_t methods_;
+    std::size_t contestants_;
     std::vector<std::vector<double>> values_;
 };
 
-Summary summarise(const Values& values, std::size_t world, std::size_t method, std::size_t baseline) {
+Summary summarise(const Values& values, std::size_t world, std::size_t contestant, std::size_t baseline) {
     Summary summary;
     summary.world = world;
-    summary.method = method;
-    summary.values = values.of(world, method);
+    summary.contestant = contestant;
+    summary.values = values.of(world, contestant);
     summary.failed = static_cast<std::size_t>(
         std::count_if(summary.values.begin(), summary.values.end(), [](double v) { return !std::isfinite(v); }));
-    if (method != baseline) {
+    if (contestant != baseline) {
         summary.against_baseline = wilcoxon_signed_rank(values.of(world, baseline), summary.values);
     }
     return summary;
@@ -76,11 +83,11 @@ void correct_for_their_number(std::vector<Summary>& summaries) {
 }  // namespace
 
 const std::vector<Metric>& all_metrics() {
-    static const std::vector<Metric> metrics{{"ATE", "m", "/ate_m/rmse"},
-                                             {"Error_x", "m", "/error_x_m/mean"},
-                                             {"Error_y", "m", "/error_y_m/mean"},
-                                             {"relations", "m", "/relations_m/mean"},
-                                             {"relations rotation", "deg", "/relations_deg/mean"}};
+    static const std::vector<Metric> metrics{{"ATE", "m", figure<&ScoreFigures::ate_m, &ErrorStatistics::rmse>},
+                                             {"Error_x", "m", mean_of<&ScoreFigures::error_x_m>},
+                                             {"Error_y", "m", mean_of<&ScoreFigures::error_y_m>},
+                                             {"relations", "m", mean_of<&ScoreFigures::relations_m>},
+                                             {"relations rotation", "deg", mean_of<&ScoreFigures::relations_deg>}};
     return metrics;
 }
 
@@ -91,8 +98,9 @@ std::vector<Summary> summaries_of(const Experiment& experiment, const std::vecto
         const Values values(experiment, cells, results, all_metrics()[metric]);
         std::vector<Summary> summaries;
         for (std::size_t world = 0; world < experiment.worlds.size(); ++world) {
-            for (std::size_t method = 0; values.any(world) && method < experiment.methods.size(); ++method) {
-                summaries.push_back(summarise(values, world, method, experiment.baseline));
+            for (std::size_t contestant = 0; values.any(world) && contestant < experiment.contestants.size();
+                 ++contestant) {
+                summaries.push_back(summarise(values, world, contestant, experiment.baseline));
                 summaries.back().metric = metric;
             }
         }
@@ -102,9 +110,9 @@ std::vector<Summary> summaries_of(const Experiment& experiment, const std::vecto
     return all;
 }
 
-const Summary* main_summary(const std::vector<Summary>& summaries, std::size_t world, std::size_t method) {
+const Summary* main_summary(const std::vector<Summary>& summaries, std::size_t world, std::size_t contestant) {
     const auto found = std::find_if(summaries.begin(), summaries.end(), [&](const Summary& summary) {
-        return summary.world == world && summary.method == method;
+        return summary.world == world && summary.contestant == contestant;
     });
     return found == summaries.end() ? nullptr : &*found;
 }

@@ -2,7 +2,6 @@
 
 #include "base/pattern.hpp"
 #include "ddtool/base/error.hpp"
-#include "study/compare/median_run.hpp"
 #include "study/compare/run_pictures.hpp"
 #include "system/folder.hpp"
 #include "system/log.hpp"

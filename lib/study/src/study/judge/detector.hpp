@@ -1,13 +1,35 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "ddtool/network/image_settings.hpp"
-#include "study/judge/swarm_scorer.hpp"
+#include "ddtool/swarm/particle_snapshot.hpp"
+#include "scores/confusion.hpp"
 
-namespace ddtool::detection {
+namespace ddtool::judge {
+
+/// A swarm, as it lies in a snapshot or in a mapped data set.
+using Particles = std::span<const SnapshotParticle>;
+
+/// Scores of many swarms, one each; the higher, the more degenerate. A network, a rule or a test's lambda.
+using SwarmScorer = std::function<std::vector<double>(std::span<const Particles> swarms)>;
+
+/// Looks at one swarm after the other.
+inline SwarmScorer one_by_one(std::function<double(Particles)> score) {
+    return [score = std::move(score)](std::span<const Particles> swarms) {
+        std::vector<double> scores;
+        scores.reserve(swarms.size());
+        for (const Particles swarm : swarms) {
+            scores.push_back(score(swarm));
+        }
+        return scores;
+    };
+}
 
 /// Says of swarms whether they are degenerate, and where it has that from.
 struct Detector {
@@ -27,4 +49,15 @@ struct Detector {
     [[nodiscard]] bool is_model() const { return !family.empty(); }
 };
 
-}  // namespace ddtool::detection
+/// What came of a detector's scores on some samples.
+struct Performance {
+    std::size_t samples = 0;
+    double degenerate_share = 0.0;  ///< of the samples
+    Confusion confusion;            ///< empty for a detector without threshold
+    double auc = 0.0;
+};
+
+Performance performance_of(const Detector& detector, std::span<const double> scores,
+                           const std::vector<bool>& degenerate);
+
+}  // namespace ddtool::judge

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "study/judge/scores.hpp"
+#include "study/judge/samples.hpp"
 
-namespace ddtool::detection {
+namespace ddtool::judge {
 namespace {
 
 using dataset::Dataset;
@@ -84,4 +84,4 @@ Performance performance_at(const Evaluation& evaluation, std::span<const std::si
     return performance_of(evaluation.detector, scores, degenerate);
 }
 
-}  // namespace ddtool::detection
+}  // namespace ddtool::judge

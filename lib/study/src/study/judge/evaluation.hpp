@@ -6,11 +6,11 @@
 #include <vector>
 
 #include "scores/calibration.hpp"
-#include "study/judge/labelled_samples.hpp"
-#include "study/judge/performance.hpp"
+#include "study/judge/detector.hpp"
 #include "study/judge/physical_agreement.hpp"
+#include "study/judge/samples.hpp"
 
-namespace ddtool::detection {
+namespace ddtool::judge {
 
 /// What detectors are judged on.
 struct Task {
@@ -47,4 +47,4 @@ std::span<const Evaluation> detailed(std::span<const Evaluation> evaluations);
 /// Of some of the samples, by their places among them.
 Performance performance_at(const Evaluation& evaluation, std::span<const std::size_t> places);
 
-}  // namespace ddtool::detection
+}  // namespace ddtool::judge

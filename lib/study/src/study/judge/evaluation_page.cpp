@@ -4,7 +4,7 @@
 
 #include "study/judge/tables.hpp"
 
-namespace ddtool::detection {
+namespace ddtool::judge {
 namespace {
 
 struct PictureFile {
@@ -49,4 +49,4 @@ void add_evaluations(html::Page& page, const std::filesystem::path& folder, cons
     }
 }
 
-}  // namespace ddtool::detection
+}  // namespace ddtool::judge

@@ -8,7 +8,7 @@
 #include "dataset/grouping.hpp"
 #include "scores/statistics.hpp"
 
-namespace ddtool::detection {
+namespace ddtool::judge {
 namespace {
 
 using dataset::Dataset;
@@ -156,4 +156,4 @@ Table label_noise_table(const Dataset& data) {
     return table;
 }
 
-}  // namespace ddtool::detection
+}  // namespace ddtool::judge

@@ -8,7 +8,7 @@
 #include "dataset/dataset.hpp"
 #include "report/table.hpp"
 
-namespace ddtool::detection {
+namespace ddtool::judge {
 
 /// A label, and those that other runs over the same drive give the same moment.
 struct RepeatedLabel {
@@ -39,4 +39,4 @@ LabelNoise label_noise(std::span<const RepeatedLabel> labels);
 /// Of both label rules: by family of scenes, and of them all.
 Table label_noise_table(const dataset::Dataset& data);
 
-}  // namespace ddtool::detection
+}  // namespace ddtool::judge

@@ -6,7 +6,7 @@
 
 #include "ddtool/base/error.hpp"
 
-namespace ddtool::detection {
+namespace ddtool::judge {
 namespace {
 
 constexpr double ridge = 1.0;
@@ -87,4 +87,4 @@ double LogisticRegression::probability(const Eigen::VectorXd& features) const {
     return 1.0 / (1.0 + std::exp(-coefficients_[0] - coefficients_.tail(features.size()).dot(standardised)));
 }
 
-}  // namespace ddtool::detection
+}  // namespace ddtool::judge

@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-namespace ddtool::detection {
+namespace ddtool::judge {
 
 /// Logistic regression: P(positive) = 1 / (1 + exp(-(b + a z))) of standardised features z, with a ridge |a|^2 / 2
 /// added to the negative log-likelihood, so that classes that a plane parts have finite coefficients, too.
@@ -21,4 +21,4 @@ private:
     Eigen::VectorXd coefficients_;  ///< the constant first
 };
 
-}  // namespace ddtool::detection
+}  // namespace ddtool::judge

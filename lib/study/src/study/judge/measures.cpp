@@ -7,7 +7,7 @@
 #include "ddtool/swarm/swarm_shape.hpp"
 #include "swarm/rules.hpp"
 
-namespace ddtool::detection {
+namespace ddtool::judge {
 namespace {
 
 using Position = Pose2 SnapshotParticle::*;
@@ -52,4 +52,4 @@ Eigen::VectorXd covariance_features(Particles swarm) {
     return features;
 }
 
-}  // namespace ddtool::detection
+}  // namespace ddtool::judge

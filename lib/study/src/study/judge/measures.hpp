@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "dataset/labels.hpp"
-#include "study/judge/swarm_scorer.hpp"
+#include "study/judge/detector.hpp"
 
-namespace ddtool::detection {
+namespace ddtool::judge {
 
 /// One number of a swarm that may tell degeneracy.
 struct Measure {
@@ -29,4 +29,4 @@ std::vector<Measure> simple_measures(const dataset::LabelSettings& labels);
 /// to the predicted one, are differences of these.
 Eigen::VectorXd covariance_features(Particles swarm);
 
-}  // namespace ddtool::detection
+}  // namespace ddtool::judge

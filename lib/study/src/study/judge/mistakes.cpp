@@ -11,7 +11,7 @@
 #include "report/montage.hpp"
 #include "system/png_file.hpp"
 
-namespace ddtool::detection {
+namespace ddtool::judge {
 namespace {
 
 constexpr std::size_t tiles = 6;  ///< of a kind of mistake in a row
@@ -76,4 +76,4 @@ void draw_mistakes(const std::filesystem::path& file, const dataset::Dataset& da
     write_png(file, pixels_of(plot::montage({"missed: degenerate", "false alarms: not degenerate"}, rows, tile_px)));
 }
 
-}  // namespace ddtool::detection
+}  // namespace ddtool::judge

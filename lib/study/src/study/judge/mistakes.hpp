@@ -5,7 +5,7 @@
 
 #include "study/judge/evaluation.hpp"
 
-namespace ddtool::detection {
+namespace ddtool::judge {
 
 /// Places of the wrongly decided samples of a class among those of the evaluation, the most wrong first. None for a
 /// detector without threshold.
@@ -14,4 +14,4 @@ std::vector<std::size_t> mistakes_of(const Evaluation& evaluation, bool degenera
 /// A montage: for each family of scenes the worst misses and false alarms, as the detector sees them.
 void draw_mistakes(const std::filesystem::path& file, const dataset::Dataset& data, const Evaluation& evaluation);
 
-}  // namespace ddtool::detection
+}  // namespace ddtool::judge

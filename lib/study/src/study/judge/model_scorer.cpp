@@ -2,9 +2,10 @@
 
 #include <algorithm>
 
+#include "dataset/sample_record.hpp"
 #include "ddtool/network/particle_renderer.hpp"
 
-namespace ddtool::detection {
+namespace ddtool::judge {
 namespace {
 
 /// Network, renderer, and the memory of one batch of images.
@@ -67,7 +68,7 @@ Detector detector_of(const std::shared_ptr<native::DegreeModel>& model) {
     const native::ModelDescription& description = model->description();
     Detector detector;
     detector.name = name_of(description);
-    detector.swarm = Json(description.image.swarm).get<std::string>();
+    detector.swarm = swarm_names[dataset::index_of(description.image.swarm)];
     detector.label = description.label;
     detector.split = description.split;
     detector.seed = description.seed;
@@ -79,4 +80,4 @@ Detector detector_of(const std::shared_ptr<native::DegreeModel>& model) {
     return detector;
 }
 
-}  // namespace ddtool::detection
+}  // namespace ddtool::judge

@@ -5,7 +5,7 @@
 #include "ddtool/network/degree_model.hpp"
 #include "study/judge/detector.hpp"
 
-namespace ddtool::detection {
+namespace ddtool::judge {
 
 /// A trained network with the renderer of the images it knows: from swarms to degrees, many images at once. For the
 /// filter: native::network_detector(). One thread at a time; copies share the network. Throws UsageError where the
@@ -16,4 +16,4 @@ SwarmScorer scorer_of(std::shared_ptr<native::DegreeModel> model);
 /// alone are one family.
 Detector detector_of(const std::shared_ptr<native::DegreeModel>& model);
 
-}  // namespace ddtool::detection
+}  // namespace ddtool::judge

@@ -4,9 +4,9 @@
 #include <map>
 
 #include "robot/principal_axes.hpp"
-#include "scores/ranks.hpp"
+#include "scores/rank_statistics.hpp"
 
-namespace ddtool::detection {
+namespace ddtool::judge {
 namespace {
 
 using dataset::Label;
@@ -43,7 +43,7 @@ struct PhysicalColumns {
 
 std::vector<PhysicalAgreement> physical_agreement(const dataset::Dataset& data, std::span<const std::size_t> samples,
                                                   std::span<const double> scores) {
-    std::map<std::string, PhysicalColumns> by_kind;
+    std::map<dataset::SourceKind, PhysicalColumns> by_kind;
     for (std::size_t place = 0; place < samples.size(); ++place) {
         const SampleRecord& sample = data.sample(samples[place]);
         if (!std::isnan(sample.weak_sd_m)) {
@@ -52,11 +52,12 @@ std::vector<PhysicalAgreement> physical_agreement(const dataset::Dataset& data, 
     }
     std::vector<PhysicalAgreement> agreements;
     for (const auto& [kind, columns] : by_kind) {
-        agreements.push_back({kind, columns.scores.size(), roc_auc(columns.labelled_scores, columns.degenerate),
+        agreements.push_back({name_of(kind), columns.scores.size(),
+                              roc_auc(columns.labelled_scores, columns.degenerate),
                               rank_correlation(columns.scores, columns.weak_sd_m),
                               rank_correlation(columns.scores, columns.information)});
     }
     return agreements;
 }
 
-}  // namespace ddtool::detection
+}  // namespace ddtool::judge

@@ -6,7 +6,7 @@
 
 #include "dataset/dataset.hpp"
 
-namespace ddtool::detection {
+namespace ddtool::judge {
 
 /// How scores follow what the scan physically tells, over the samples of one kind of source.
 struct PhysicalAgreement {
@@ -23,4 +23,4 @@ struct PhysicalAgreement {
 std::vector<PhysicalAgreement> physical_agreement(const dataset::Dataset& data, std::span<const std::size_t> samples,
                                                   std::span<const double> scores);
 
-}  // namespace ddtool::detection
+}  // namespace ddtool::judge

@@ -5,7 +5,7 @@
 
 #include "study/judge/evaluation.hpp"
 
-namespace ddtool::detection {
+namespace ddtool::judge {
 
 /// Draws into the folder, of evaluations that have samples:
 /// roc.png         the receiver operating characteristic of the models and the best rules, seven in all
@@ -16,4 +16,4 @@ namespace ddtool::detection {
 void draw_evaluations(const std::filesystem::path& folder, const dataset::Dataset& data,
                       std::span<const Evaluation> evaluations, const Evaluation& shown);
 
-}  // namespace ddtool::detection
+}  // namespace ddtool::judge

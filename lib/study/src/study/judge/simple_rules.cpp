@@ -8,12 +8,11 @@
 
 #include "dataset/build_settings.hpp"
 #include "scores/decision_threshold.hpp"
-#include "study/judge/labelled_samples.hpp"
 #include "study/judge/logistic_regression.hpp"
 #include "study/judge/measures.hpp"
-#include "study/judge/scores.hpp"
+#include "study/judge/samples.hpp"
 
-namespace ddtool::detection {
+namespace ddtool::judge {
 namespace {
 
 std::string short_number(double number) {
@@ -88,4 +87,4 @@ std::vector<Detector> fitted_rules(const dataset::Dataset& data, dataset::LabelR
     return rules;
 }
 
-}  // namespace ddtool::detection
+}  // namespace ddtool::judge

@@ -5,9 +5,9 @@
 #include <set>
 
 #include "scores/statistics.hpp"
-#include "study/judge/groups.hpp"
+#include "study/judge/samples.hpp"
 
-namespace ddtool::detection {
+namespace ddtool::judge {
 namespace {
 
 using Columns = std::vector<Table::Column>;
@@ -165,7 +165,7 @@ std::vector<NamedTable> evaluation_tables(const dataset::Dataset& data, std::spa
     return tables;
 }
 
-Json report_json(const dataset::Dataset& data, std::span<const Evaluation> evaluations, const Task& task) {
+Json evaluation_json(const dataset::Dataset& data, std::span<const Evaluation> evaluations, const Task& task) {
     return {{"label", dataset::label_rule_names[index_of(task.label)]},
             {"split", dataset::split_names[index_of(task.split)]},
             {"part", dataset::part_names[index_of(task.part)]},
@@ -178,4 +178,4 @@ Json report_json(const dataset::Dataset& data, std::span<const Evaluation> evalu
             {"groups", group_table(data, evaluations).json()}};
 }
 
-}  // namespace ddtool::detection
+}  // namespace ddtool::judge

@@ -7,7 +7,7 @@
 #include "report/table.hpp"
 #include "study/judge/evaluation.hpp"
 
-namespace ddtool::detection {
+namespace ddtool::judge {
 
 /// A row a detector: what it looks at, what it was trained on and tested on, its decisions counted. The positive class
 /// is degenerate.
@@ -36,6 +36,6 @@ std::vector<NamedTable> evaluation_tables(const dataset::Dataset& data, std::spa
                                           const Task& task);
 
 /// Everything for machines.
-Json report_json(const dataset::Dataset& data, std::span<const Evaluation> evaluations, const Task& task);
+Json evaluation_json(const dataset::Dataset& data, std::span<const Evaluation> evaluations, const Task& task);
 
-}  // namespace ddtool::detection
+}  // namespace ddtool::judge

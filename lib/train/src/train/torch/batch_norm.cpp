@@ -1,6 +1,6 @@
 #include "train/torch/batch_norm.hpp"
 
-namespace ddtool::models {
+namespace ddtool::train_torch {
 
 BatchNorm::BatchNorm(std::int64_t channels, const BatchNormOptions& options) : options_(options) {
     weight_ = register_parameter("weight", torch::ones(channels));
@@ -46,4 +46,4 @@ void set_sum_over_ranks(torch::nn::Module& network, const SumOverRanks& sum) {
     });
 }
 
-}  // namespace ddtool::models
+}  // namespace ddtool::train_torch

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <functional>
 
-namespace ddtool::models {
+namespace ddtool::train_torch {
 
 /// Adds a tensor up over the ranks of a data-parallel run. Differentiable: the gradient is added up over them too.
 using SumOverRanks = std::function<torch::Tensor(const torch::Tensor&)>;
@@ -40,4 +40,4 @@ private:
 /// Sets it for every BatchNorm in the network.
 void set_sum_over_ranks(torch::nn::Module& network, const SumOverRanks& sum);
 
-}  // namespace ddtool::models
+}  // namespace ddtool::train_torch

@@ -4,7 +4,7 @@
 
 #include "train/batch_loader.hpp"
 
-namespace ddtool::training {
+namespace ddtool::train_torch {
 
 struct BatchTensors {
     torch::Tensor images;   ///< [n, 1, size_px, size_px], channels last
@@ -12,6 +12,12 @@ struct BatchTensors {
 };
 
 /// The batch on the device. On the CPU the tensors are views: the batch must live as long.
-BatchTensors tensors_of(learning::Batch& batch, torch::Device device);
+inline BatchTensors tensors_of(train::Batch& batch, torch::Device device) {
+    const auto count = static_cast<std::int64_t>(batch.classes.size());
+    const auto size = static_cast<std::int64_t>(batch.size_px);
+    const torch::Tensor images = torch::from_blob(batch.images.data(), {count, 1, size, size});
+    const torch::Tensor classes = torch::from_blob(batch.classes.data(), {count}, torch::kInt64);
+    return {images.to(device).contiguous(torch::MemoryFormat::ChannelsLast), classes.to(device)};
+}
 
-}  // namespace ddtool::training
+}  // namespace ddtool::train_torch

@@ -1,14 +1,14 @@
 #include "train/torch/checkpoint.hpp"
 
 #include <ATen/CPUGeneratorImpl.h>
-
+#include <algorithm>
 #include <sstream>
 
 #include "ddtool/base/error.hpp"
 #include "system/atomic_file.hpp"
 #include "train/torch/torch_errors.hpp"
 
-namespace ddtool::training {
+namespace ddtool::train_torch {
 namespace {
 
 constexpr const char* description_key = "description";
@@ -17,7 +17,7 @@ constexpr const char* network_key = "network";
 constexpr const char* optimizer_key = "optimizer";
 constexpr const char* random_key = "random_state";
 
-void put_network(torch::serialize::OutputArchive& archive, const models::Network& network,
+void put_network(torch::serialize::OutputArchive& archive, const Network& network,
                  const native::ModelDescription& description) {
     archive.write(description_key, torch::IValue(Json(description).dump()));
     torch::serialize::OutputArchive weights(archive.compilation_unit());
@@ -33,14 +33,28 @@ void write_archive(const std::filesystem::path& path, torch::serialize::OutputAr
 
 }  // namespace
 
-void write_checkpoint(const std::filesystem::path& path, const models::Network& network,
+const train::EpochRecord* best_epoch(const TrainingState& state) {
+    const auto best = std::min_element(
+        state.history.begin(), state.history.end(),
+        [](const auto& first, const auto& second) { return first.validation_loss < second.validation_loss; });
+    return best == state.history.end() ? nullptr : &*best;
+}
+
+bool finished(const TrainingState& state) {
+    const train::EpochRecord* const best = best_epoch(state);
+    const std::size_t patience = state.settings.patience_epochs;
+    const bool stuck = patience > 0 && best != nullptr && state.epoch - best->epoch >= patience;
+    return stuck || state.epoch >= state.settings.epochs;
+}
+
+void write_checkpoint(const std::filesystem::path& path, const Network& network,
                       const native::ModelDescription& description) {
     torch::serialize::OutputArchive archive;
     put_network(archive, network, description);
     write_archive(path, archive);
 }
 
-void write_checkpoint(const std::filesystem::path& path, const models::Network& network,
+void write_checkpoint(const std::filesystem::path& path, const Network& network,
                       const native::ModelDescription& description, const torch::optim::Optimizer& optimizer,
                       const TrainingState& state) {
     torch::serialize::OutputArchive archive;
@@ -55,7 +69,7 @@ void write_checkpoint(const std::filesystem::path& path, const models::Network& 
 
 template <typename Action>
 auto Checkpoint::guarded(Action&& action) {
-    return models::guarded_by_path(path_, "not a whole checkpoint", action);
+    return guarded_by_path(path_, "not a whole checkpoint", action);
 }
 
 Checkpoint::Checkpoint(const std::filesystem::path& path, torch::Device device) : path_(path) {
@@ -75,9 +89,9 @@ native::ModelDescription Checkpoint::description() {
     return native::parse_description(text(description_key), path_.string());
 }
 
-std::shared_ptr<models::Network> Checkpoint::network() {
+std::shared_ptr<Network> Checkpoint::network() {
     const native::ModelDescription about = description();
-    std::shared_ptr<models::Network> network = models::make_network(about.network, about.image.size_px);
+    std::shared_ptr<Network> network = make_network(about.network, about.image.size_px);
     guarded([&] {
         torch::serialize::InputArchive weights;
         archive_.read(network_key, weights);
@@ -92,7 +106,7 @@ TrainingState Checkpoint::state() {
     return guarded([&] { return parse_json(state, path_.string()).get<TrainingState>(); });
 }
 
-void Checkpoint::restore(models::Network& network, torch::optim::Optimizer& optimizer) {
+void Checkpoint::restore(Network& network, torch::optim::Optimizer& optimizer) {
     guarded([&] {
         torch::serialize::InputArchive weights;
         archive_.read(network_key, weights);
@@ -108,4 +122,4 @@ void Checkpoint::restore(models::Network& network, torch::optim::Optimizer& opti
     });
 }
 
-}  // namespace ddtool::training
+}  // namespace ddtool::train_torch

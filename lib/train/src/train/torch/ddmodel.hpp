@@ -6,13 +6,46 @@
 #include <memory>
 
 #include "network/dd_tables.hpp"
-#include "train/torch/encoder_layer.hpp"
 #include "train/torch/layers.hpp"
 #include "train/torch/network.hpp"
 
-namespace ddtool::models {
+namespace ddtool::train_torch {
 
-/// The networks of learning/dd_tables.hpp.
+/// Residual block of two 3x3 convolutions (He et al. 2016, figure 5 left). Where the shape changes, the skip is a 1x1
+/// projection (their option B).
+class BasicBlock : public torch::nn::Module {
+public:
+    BasicBlock(std::int64_t in_channels, std::int64_t out_channels, std::int64_t stride);
+    torch::Tensor forward(const torch::Tensor& x);
+
+private:
+    std::shared_ptr<ConvNorm> first_;
+    std::shared_ptr<ConvNorm> second_;
+    std::shared_ptr<ConvNorm> projection_;  // null: the skip is the input itself
+};
+
+/// One layer of a transformer encoder (Vaswani et al. 2017) with normalisation first (Xiong et al. 2020), without
+/// dropout. On plain operations whose views leave the batch open: torch::nn::TransformerEncoder's views would carry
+/// the batch of the trace into the exported model.
+class EncoderLayer : public torch::nn::Module {
+public:
+    explicit EncoderLayer(const native::EncoderRow& row);
+    /// x: [n, tokens, width], float32, which it also returns; under autocast only the products are rounded.
+    torch::Tensor forward(const torch::Tensor& x);
+
+private:
+    torch::Tensor self_attention(const torch::Tensor& x);
+
+    std::int64_t heads_;
+    torch::nn::LayerNorm attention_norm_;
+    torch::nn::Linear query_key_value_;
+    torch::nn::Linear attention_out_;
+    torch::nn::LayerNorm feed_forward_norm_;
+    torch::nn::Linear feed_forward_in_;
+    torch::nn::Linear feed_forward_out_;
+};
+
+/// The networks of network/dd_tables.hpp.
 class DDModel : public Network {
 public:
     DDModel(const native::DDModelTable& table, std::int64_t size_px);
@@ -33,4 +66,4 @@ private:
     torch::nn::Linear head_;
 };
 
-}  // namespace ddtool::models
+}  // namespace ddtool::train_torch

@@ -2,7 +2,7 @@
 
 #include <c10/core/impl/LocalDispatchKeySet.h>
 
-namespace ddtool::models {
+namespace ddtool::train_torch {
 namespace {
 
 torch::nn::Conv2dOptions conv_options(const ConvNormOptions& options) {
@@ -66,4 +66,4 @@ void lay_out_channels_last(torch::nn::Module& network) {
     }
 }
 
-}  // namespace ddtool::models
+}  // namespace ddtool::train_torch

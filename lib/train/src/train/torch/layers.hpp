@@ -7,7 +7,7 @@
 
 #include "train/torch/batch_norm.hpp"
 
-namespace ddtool::models {
+namespace ddtool::train_torch {
 
 enum class Activation : std::uint8_t { none, relu, hard_swish };
 
@@ -46,4 +46,4 @@ void draw_weights(torch::nn::Module& network);
 /// convolutions and, above all, its max pooling are several times quicker that way.
 void lay_out_channels_last(torch::nn::Module& network);
 
-}  // namespace ddtool::models
+}  // namespace ddtool::train_torch

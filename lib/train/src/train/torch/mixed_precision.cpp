@@ -3,7 +3,7 @@
 #include <ATen/autocast_mode.h>
 #include <torch/version.h>
 
-namespace ddtool::models {
+namespace ddtool::train_torch {
 namespace {
 
 void set_autocast(torch::DeviceType device, bool on) {
@@ -37,4 +37,4 @@ MixedPrecision::~MixedPrecision() {
     }
 }
 
-}  // namespace ddtool::models
+}  // namespace ddtool::train_torch

@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace ddtool::models {
+namespace ddtool::train_torch {
 
 /// While one lives, operations that gain from it run in bfloat16 on that device (LibTorch's autocast); weights and
 /// what needs the range stay float32. Nothing happens for "fp32".
@@ -20,4 +20,4 @@ private:
     torch::DeviceType device_;
 };
 
-}  // namespace ddtool::models
+}  // namespace ddtool::train_torch

@@ -9,7 +9,7 @@
 #include "train/torch/ddmodel.hpp"
 #include "train/torch/mobilenetv3.hpp"
 
-namespace ddtool::models {
+namespace ddtool::train_torch {
 namespace {
 
 struct NetworkRow {
@@ -47,4 +47,4 @@ std::shared_ptr<Network> make_network(const std::string& name, std::size_t size_
     return network;
 }
 
-}  // namespace ddtool::models
+}  // namespace ddtool::train_torch

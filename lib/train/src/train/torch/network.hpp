@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace ddtool::models {
+namespace ddtool::train_torch {
 
 /// A network that reads the degree of degeneracy from particle images.
 class Network : public torch::nn::Module {
@@ -24,4 +24,4 @@ std::vector<std::string> network_names();
 /// that is not in the table.
 std::shared_ptr<Network> make_network(const std::string& name, std::size_t size_px);
 
-}  // namespace ddtool::models
+}  // namespace ddtool::train_torch

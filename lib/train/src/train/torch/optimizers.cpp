@@ -6,9 +6,9 @@
 
 #include "ddtool/base/error.hpp"
 
-namespace ddtool::training {
+namespace ddtool::train_torch {
 
-std::unique_ptr<torch::optim::Optimizer> make_optimizer(const learning::OptimizerSettings& settings,
+std::unique_ptr<torch::optim::Optimizer> make_optimizer(const train::OptimizerSettings& settings,
                                                         const std::vector<torch::Tensor>& parameters) {
     namespace optim = torch::optim;
     const double rate = settings.learning_rate;
@@ -25,7 +25,7 @@ std::unique_ptr<torch::optim::Optimizer> make_optimizer(const learning::Optimize
     throw UsageError("optimizer.name: expected adam, rmsprop or adamw, not " + settings.name);
 }
 
-double learning_rate(const learning::OptimizerSettings& settings, std::size_t step, std::size_t steps) {
+double learning_rate(const train::OptimizerSettings& settings, std::size_t step, std::size_t steps) {
     const double warm_up = std::max(1.0, settings.warm_up_share * static_cast<double>(steps));
     const double at = static_cast<double>(step) + 1.0;
     if (at < warm_up) {
@@ -42,4 +42,4 @@ void set_learning_rate(torch::optim::Optimizer& optimizer, double rate) {
     }
 }
 
-}  // namespace ddtool::training
+}  // namespace ddtool::train_torch

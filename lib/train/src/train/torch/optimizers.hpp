@@ -7,17 +7,17 @@
 
 #include "train/train_settings.hpp"
 
-namespace ddtool::training {
+namespace ddtool::train_torch {
 
 /// adam (Kingma and Ba 2015), rmsprop (Hinton 2012) or adamw (Loshchilov and Hutter 2019). Throws UsageError for
 /// another name.
-std::unique_ptr<torch::optim::Optimizer> make_optimizer(const learning::OptimizerSettings& settings,
+std::unique_ptr<torch::optim::Optimizer> make_optimizer(const train::OptimizerSettings& settings,
                                                         const std::vector<torch::Tensor>& parameters);
 
 /// The rate of step 0..steps-1: it rises linearly over the warm-up, then falls as half a cosine to final_rate_share of
 /// the largest (Loshchilov and Hutter 2017, without restarts).
-double learning_rate(const learning::OptimizerSettings& settings, std::size_t step, std::size_t steps);
+double learning_rate(const train::OptimizerSettings& settings, std::size_t step, std::size_t steps);
 
 void set_learning_rate(torch::optim::Optimizer& optimizer, double rate);
 
-}  // namespace ddtool::training
+}  // namespace ddtool::train_torch

@@ -3,13 +3,12 @@
 #include "ddtool/base/error.hpp"
 #include "system/log.hpp"
 #include "train/process_group.hpp"
-#include "train/torch/output_values.hpp"
-#include "train/torch/plain_weights.hpp"
+#include "train/torch/exported_model.hpp"
+#include "train/torch/losses.hpp"
 #include "train/torch/torch_model.hpp"
-#include "train/torch/torch_script.hpp"
 #include "train/torch/trainer.hpp"
 
-namespace ddtool {
+namespace ddtool::train_torch {
 namespace {
 
 void expect_device(const std::string& device) {
@@ -22,26 +21,26 @@ void expect_device(const std::string& device) {
     }
 }
 
-std::unique_ptr<native::DegreeModel> model_of(training::Checkpoint& checkpoint, const learning::RunOptions& options) {
-    const std::shared_ptr<models::Network> network = checkpoint.network();
+std::unique_ptr<native::DegreeModel> model_of(Checkpoint& checkpoint, const train::RunOptions& options) {
+    const std::shared_ptr<Network> network = checkpoint.network();
     native::ModelDescription about = checkpoint.description();
     const torch::Device device(options.device);
     network->to(device);
     const auto forward = [network, loss = about.loss, temperature = about.temperature](const torch::Tensor& images) {
-        return inference::output_values(loss, network->forward(images) / temperature);
+        return output_values(loss, network->forward(images) / temperature);
     };
-    return std::make_unique<inference::TorchModel>(std::move(about), forward, options);
+    return std::make_unique<TorchModel>(std::move(about), forward, options);
 }
 
-class TorchEngine : public learning::Engine {
+class TorchEngine : public train::Engine {
 public:
-    [[nodiscard]] std::vector<std::string> networks() const override { return models::network_names(); }
+    [[nodiscard]] std::vector<std::string> networks() const override { return network_names(); }
 
-    learning::TrainResult train(const learning::TrainRequest& request) const override {
+    train::TrainResult train(const train::TrainRequest& request) const override {
         expect_valid(request.settings);
         expect_device(request.device);
-        const std::optional<learning::ProcessGroup> group = learning::process_group();
-        learning::TrainRequest own = request;
+        const std::optional<train::ProcessGroup> group = train::process_group();
+        train::TrainRequest own = request;
         if (group && request.device == "cuda") {
             // A launcher may show each process no GPU but its own.
             const auto gpus = static_cast<std::size_t>(torch::cuda::device_count());
@@ -58,36 +57,36 @@ public:
         const torch::Device device(own.device);
         // Whatever names no device would otherwise take memory of the first GPU in every process.
         const c10::DeviceGuard guard(device);
-        const training::Ranks ranks(group, device);
-        learning::TrainResult result = training::Trainer(own, ranks).run();
-        result.leads = ranks.leads();
+        const Communicator communicator(group, device);
+        train::TrainResult result = Trainer(own, communicator).run();
+        result.leads = communicator.leads();
         return result;
     }
 
     void export_model(const std::filesystem::path& checkpoint, const std::filesystem::path& out) const override {
-        training::Checkpoint source(checkpoint);
+        Checkpoint source(checkpoint);
         const native::ModelDescription about = source.description();
-        const std::shared_ptr<models::Network> network = source.network();
-        inference::write_torch_script(out, *network, about);
-        native::write_safetensors(learning::plain_weights_beside(out), inference::plain_weights(*network, about));
+        const std::shared_ptr<Network> network = source.network();
+        write_torch_script(out, *network, about);
+        native::write_safetensors(train::plain_weights_beside(out), plain_weights(*network, about));
     }
 
     [[nodiscard]] std::unique_ptr<native::DegreeModel> load(const std::filesystem::path& file,
-                                                            const learning::RunOptions& options) const override {
+                                                            const train::RunOptions& options) const override {
         expect_device(options.device);
-        if (inference::is_exported_model(file)) {
-            return inference::load_torch_script(file, options);
+        if (is_exported_model(file)) {
+            return load_torch_script(file, options);
         }
-        training::Checkpoint checkpoint(file);
+        Checkpoint checkpoint(file);
         return model_of(checkpoint, options);
     }
 };
 
 }  // namespace
 
-const learning::Engine& torch_engine() {
+const train::Engine& torch_engine() {
     static const TorchEngine engine;
     return engine;
 }
 
-}  // namespace ddtool
+}  // namespace ddtool::train_torch

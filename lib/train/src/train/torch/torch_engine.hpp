@@ -2,9 +2,9 @@
 
 #include "train/engine.hpp"
 
-namespace ddtool {
+namespace ddtool::train_torch {
 
 /// The engine of this build's LibTorch.
-const learning::Engine& torch_engine();
+const train::Engine& torch_engine();
 
-}  // namespace ddtool
+}  // namespace ddtool::train_torch

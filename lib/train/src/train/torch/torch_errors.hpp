@@ -8,7 +8,7 @@
 
 #include "ddtool/base/error.hpp"
 
-namespace ddtool::models {
+namespace ddtool::train_torch {
 
 /// What LibTorch threw, as an Error of one line: the file and what it should have been, then LibTorch's first line.
 /// Of its own errors the rest is a backtrace, of TorchScript's the source.
@@ -34,4 +34,4 @@ auto guarded_by_path(const std::filesystem::path& path, const std::string& expec
     }
 }
 
-}  // namespace ddtool::models
+}  // namespace ddtool::train_torch

@@ -7,7 +7,7 @@
 
 #include "train/engine.hpp"
 
-namespace ddtool::inference {
+namespace ddtool::train_torch {
 
 /// Runs a function of LibTorch on images in plain memory.
 class TorchModel : public native::DegreeModel {
@@ -15,7 +15,7 @@ public:
     /// Images [n, 1, size_px, size_px] to the two values [n, 2].
     using Forward = std::function<torch::Tensor(const torch::Tensor& images)>;
 
-    TorchModel(native::ModelDescription description, Forward forward, const learning::RunOptions& options);
+    TorchModel(native::ModelDescription description, Forward forward, const train::RunOptions& options);
 
     [[nodiscard]] const native::ModelDescription& description() const override { return description_; }
     void run(std::span<const float> images, std::span<double> degrees) override;
@@ -28,4 +28,4 @@ private:
     int threads_;
 };
 
-}  // namespace ddtool::inference
+}  // namespace ddtool::train_torch

@@ -13,10 +13,10 @@
 #include "train/torch/optimizers.hpp"
 #include "train/torch/validation.hpp"
 
-namespace ddtool::training {
+namespace ddtool::train_torch {
 namespace {
 
-using learning::TrainSettings;
+using train::TrainSettings;
 
 constexpr const char* last_name = "last.pt";
 constexpr const char* best_name = "best.pt";
@@ -24,8 +24,8 @@ constexpr const char* best_name = "best.pt";
 /// Samples of a part. Throws Error where one of the classes is missing.
 std::vector<std::size_t> part_of(const dataset::Dataset& data, const TrainSettings& settings, dataset::Part part,
                                  const std::filesystem::path& folder) {
-    const dataset::LabelRule rule = learning::label_rule_of(settings);
-    std::vector<std::size_t> samples = data.part(rule, learning::split_of(settings), part);
+    const dataset::LabelRule rule = train::label_rule_of(settings);
+    std::vector<std::size_t> samples = data.part(rule, train::split_of(settings), part);
     for (const dataset::Label label : {dataset::Label::not_degenerate, dataset::Label::degenerate}) {
         if (std::ranges::none_of(samples,
                                  [&](std::size_t sample) { return data.sample(sample).label_of(rule) == label; })) {
@@ -38,9 +38,9 @@ std::vector<std::size_t> part_of(const dataset::Dataset& data, const TrainSettin
     return samples;
 }
 
-std::shared_ptr<models::Network> new_network(const TrainSettings& settings, torch::Device device) {
+std::shared_ptr<Network> new_network(const TrainSettings& settings, torch::Device device) {
     torch::manual_seed(settings.seed);
-    std::shared_ptr<models::Network> network = models::make_network(settings.model, settings.image.size_px);
+    std::shared_ptr<Network> network = make_network(settings.model, settings.image.size_px);
     network->to(device);
     return network;
 }
@@ -68,9 +68,9 @@ void expect_same_run(const TrainingState& now, const TrainingState& then, const 
 
 }  // namespace
 
-Trainer::Trainer(const learning::TrainRequest& request, const Ranks& ranks)
+Trainer::Trainer(const train::TrainRequest& request, const Communicator& communicator)
     : request_(request),
-      ranks_(ranks),
+      communicator_(communicator),
       device_(request.device),
       data_(request.data),
       train_samples_(part_of(data_, request.settings, dataset::Part::train, request.data)),
@@ -82,16 +82,16 @@ Trainer::Trainer(const learning::TrainRequest& request, const Ranks& ranks)
       progress_("training " + request.settings.model, "samples") {
     state_.settings = request.settings;
     state_.dataset = file_fingerprint(request.data / dataset::manifest_name);
-    state_.world_size = ranks.rank().world_size;
-    if (ranks_.leads()) {
+    state_.world_size = communicator.rank().world_size;
+    if (communicator_.leads()) {
         made_folder(request_.out);
     }
     if (request.resume) {
         resume();
     }
-    ranks_.copy_from_leader(parameters_);
-    ranks_.copy_from_leader(network_->buffers());
-    ranks_.join_statistics(*network_);
+    communicator_.copy_from_leader(parameters_);
+    communicator_.copy_from_leader(network_->buffers());
+    communicator_.join_statistics(*network_);
 }
 
 void Trainer::resume() {
@@ -108,24 +108,24 @@ void Trainer::resume() {
     log_info("going on after epoch " + std::to_string(state_.epoch) + ", step " + std::to_string(state_.step));
 }
 
-learning::TrainResult Trainer::run() {
+train::TrainResult Trainer::run() {
     while (!finished(state_) && !stopped()) {
         run_epoch();
     }
-    const learning::EpochRecord* const best = best_epoch(state_);
+    const train::EpochRecord* const best = best_epoch(state_);
     return {.best = request_.out / best_name,
-            .best_epoch = best == nullptr ? learning::EpochRecord{} : *best,
+            .best_epoch = best == nullptr ? train::EpochRecord{} : *best,
             .epochs = state_.epoch,
             .interrupted = !finished(state_)};
 }
 
 void Trainer::run_epoch() {
     const TrainSettings& settings = state_.settings;
-    const learning::EpochPlan plan =
-        learning::training_epoch(train_samples_, settings.batch_size, ranks_.rank(), settings.seed, state_.epoch);
+    const train::EpochPlan plan =
+        train::training_epoch(train_samples_, settings.batch_size, communicator_.rank(), settings.seed, state_.epoch);
     const std::size_t steps = plan.batches.size();
-    learning::BatchLoader loader(data_, plan, settings, &settings.augmentation, state_.step);
-    learning::Batch batch;
+    train::BatchLoader loader(data_, plan, settings, &settings.augmentation, state_.step);
+    train::Batch batch;
     network_->train();
     while (!stopped() && loader.next(batch)) {
         take_step(batch, steps);
@@ -138,13 +138,13 @@ void Trainer::run_epoch() {
     save_last();
 }
 
-void Trainer::take_step(learning::Batch& batch, std::size_t steps_per_epoch) {
+void Trainer::take_step(train::Batch& batch, std::size_t steps_per_epoch) {
     const Clock::time_point start = Clock::now();
     const TrainSettings& settings = state_.settings;
     const BatchTensors tensors = tensors_of(batch, device_);
     torch::Tensor logits;
     {
-        const models::MixedPrecision precision(settings.precision, device_.type());
+        const MixedPrecision precision(settings.precision, device_.type());
         logits = network_->forward(tensors.images);
     }
     const torch::Tensor losses = sample_losses(settings.loss, logits, tensors.classes) * weights_.at(tensors.classes);
@@ -156,10 +156,10 @@ void Trainer::take_step(learning::Batch& batch, std::size_t steps_per_epoch) {
     }
     optimizer_->zero_grad();
     // The mean over all ranks' samples, of which a rank may have one more than another.
-    const double samples_per_rank =
-        ranks_.sums({static_cast<double>(batch.classes.size())}).front() / static_cast<double>(state_.world_size);
+    const double samples_per_rank = communicator_.sums({static_cast<double>(batch.classes.size())}).front() /
+                                    static_cast<double>(state_.world_size);
     (losses.sum() / samples_per_rank).backward();
-    ranks_.average_gradients(parameters_);
+    communicator_.average_gradients(parameters_);
     torch::nn::utils::clip_grad_norm_(parameters_, settings.optimizer.largest_gradient_norm);
     set_learning_rate(*optimizer_, rate_of_step(state_.step, steps_per_epoch));
     optimizer_->step();
@@ -178,13 +178,13 @@ double Trainer::rate_of_step(std::size_t step, std::size_t steps_per_epoch) cons
 void Trainer::end_epoch(std::size_t steps) {
     const Clock::time_point start = Clock::now();
     const LossSums& own = state_.sums;
-    const std::vector<double> sums = ranks_.sums({own.loss, own.correct, own.count});
+    const std::vector<double> sums = communicator_.sums({own.loss, own.correct, own.count});
     ValidationResult found;
-    if (ranks_.leads()) {
+    if (communicator_.leads()) {
         found = validate(*network_, data_, validation_samples_, state_.settings, weights_, device_);
     }
     // Every rank must draw the same conclusion, so all take rank 0's figures.
-    const std::vector<double> figures = ranks_.of_leader({found.loss, found.accuracy, found.f1, found.auc});
+    const std::vector<double> figures = communicator_.of_leader({found.loss, found.accuracy, found.f1, found.auc});
     state_.history.push_back({.epoch = state_.epoch + 1,
                               .learning_rate = rate_of_step(steps - 1, steps),
                               .train_loss = sums[0] / sums[2],
@@ -198,11 +198,11 @@ void Trainer::end_epoch(std::size_t steps) {
     ++state_.epoch;
     state_.step = 0;
     state_.sums = {};
-    if (ranks_.leads()) {
+    if (communicator_.leads()) {
         if (best_epoch(state_)->epoch == state_.epoch) {
             write_checkpoint(request_.out / best_name, *network_, description());
         }
-        learning::write_history(request_.out, state_.history);
+        train::write_history(request_.out, state_.history);
     }
 }
 
@@ -216,7 +216,7 @@ native::ModelDescription Trainer::description() const {
     about.dataset = state_.dataset;
     about.seed = state_.settings.seed;
     about.metrics = Json::object();
-    if (const learning::EpochRecord* const best = best_epoch(state_)) {
+    if (const train::EpochRecord* const best = best_epoch(state_)) {
         about.metrics = {{"epoch", best->epoch},
                          {"validation_loss", best->validation_loss},
                          {"validation_accuracy", best->validation_accuracy},
@@ -227,7 +227,7 @@ native::ModelDescription Trainer::description() const {
 }
 
 void Trainer::save_last() {
-    if (ranks_.leads()) {
+    if (communicator_.leads()) {
         write_checkpoint(request_.out / last_name, *network_, description(), *optimizer_, state_);
     }
     last_save_ = Clock::now();
@@ -247,6 +247,6 @@ void Trainer::show_progress(std::size_t steps_per_epoch) {
 }
 
 /// All ranks stop at the same step: one that went on alone would wait for the others in vain.
-bool Trainer::stopped() const { return ranks_.sums({interrupt_.made() ? 1.0 : 0.0}).front() > 0.0; }
+bool Trainer::stopped() const { return communicator_.sums({interrupt_.made() ? 1.0 : 0.0}).front() > 0.0; }
 
-}  // namespace ddtool::training
+}  // namespace ddtool::train_torch

@@ -10,11 +10,10 @@
 #include "train/batch_loader.hpp"
 #include "train/engine.hpp"
 #include "train/torch/checkpoint.hpp"
-#include "train/torch/class_weights.hpp"
-#include "train/torch/ranks.hpp"
-#include "train/torch/training_state.hpp"
+#include "train/torch/communicator.hpp"
+#include "train/torch/losses.hpp"
 
-namespace ddtool::training {
+namespace ddtool::train_torch {
 
 /// Fits a network to a data set. On the CPU with a given number of threads the weights depend on settings and data
 /// alone, however often the training was stopped and resumed.
@@ -22,17 +21,17 @@ class Trainer {
 public:
     /// Starts, or with request.resume goes on from out/last.pt where there is one. Throws UsageError for settings that
     /// make no sense or are not those of the checkpoint, Error for a data set that does not fit.
-    Trainer(const learning::TrainRequest& request, const Ranks& ranks);
+    Trainer(const train::TrainRequest& request, const Communicator& communicator);
 
     /// To the end, or until it is asked to stop. Throws Error for a loss that is no number; the checkpoints stay.
-    learning::TrainResult run();
+    train::TrainResult run();
 
 private:
     using Clock = std::chrono::steady_clock;
 
     void resume();
     void run_epoch();
-    void take_step(learning::Batch& batch, std::size_t steps_per_epoch);
+    void take_step(train::Batch& batch, std::size_t steps_per_epoch);
     /// Of a step of the epoch under way.
     [[nodiscard]] double rate_of_step(std::size_t step, std::size_t steps_per_epoch) const;
     void end_epoch(std::size_t steps);
@@ -42,14 +41,14 @@ private:
     void show_progress(std::size_t steps_per_epoch);
     [[nodiscard]] bool stopped() const;
 
-    learning::TrainRequest request_;
-    const Ranks& ranks_;
+    train::TrainRequest request_;
+    const Communicator& communicator_;
     torch::Device device_;
     dataset::Dataset data_;
     std::vector<std::size_t> train_samples_;
     std::vector<std::size_t> validation_samples_;
     ClassWeights weights_;
-    std::shared_ptr<models::Network> network_;
+    std::shared_ptr<Network> network_;
     std::vector<torch::Tensor> parameters_;
     std::unique_ptr<torch::optim::Optimizer> optimizer_;
     TrainingState state_;
@@ -58,4 +57,4 @@ private:
     InterruptRequest interrupt_;
 };
 
-}  // namespace ddtool::training
+}  // namespace ddtool::train_torch

@@ -1,13 +1,13 @@
 #include "train/torch/validation.hpp"
 
 #include "scores/confusion.hpp"
-#include "scores/ranks.hpp"
+#include "scores/rank_statistics.hpp"
 #include "train/batch_loader.hpp"
 #include "train/torch/batch_tensors.hpp"
 #include "train/torch/losses.hpp"
 #include "train/torch/mixed_precision.hpp"
 
-namespace ddtool::training {
+namespace ddtool::train_torch {
 namespace {
 
 struct Scores {
@@ -17,7 +17,7 @@ struct Scores {
 };
 
 void add(Scores& scores, const torch::Tensor& logits, const torch::Tensor& classes,
-         const learning::TrainSettings& settings, const ClassWeights& weights) {
+         const train::TrainSettings& settings, const ClassWeights& weights) {
     scores.loss += (sample_losses(settings.loss, logits, classes) * weights.at(classes)).sum().item<double>();
     const torch::Tensor margins = (logits.select(1, 1) - logits.select(1, 0)).to(torch::kCPU, torch::kFloat64);
     const torch::Tensor truth = classes.to(torch::kCPU);
@@ -37,20 +37,19 @@ ValidationResult result_of(const Scores& scores) {
 
 }  // namespace
 
-ValidationResult validate(models::Network& network, const dataset::Dataset& data,
-                          const std::vector<std::size_t>& samples, const learning::TrainSettings& settings,
-                          const ClassWeights& weights, torch::Device device) {
+ValidationResult validate(Network& network, const dataset::Dataset& data, const std::vector<std::size_t>& samples,
+                          const train::TrainSettings& settings, const ClassWeights& weights, torch::Device device) {
     const torch::NoGradGuard no_gradients;
     network.eval();
     Scores scores;
-    learning::BatchLoader loader(data, learning::evaluation_pass(samples, settings.batch_size), settings, nullptr);
-    learning::Batch batch;
+    train::BatchLoader loader(data, train::evaluation_pass(samples, settings.batch_size), settings, nullptr);
+    train::Batch batch;
     while (loader.next(batch)) {
         const BatchTensors tensors = tensors_of(batch, device);
-        const models::MixedPrecision precision(settings.precision, device.type());
+        const MixedPrecision precision(settings.precision, device.type());
         add(scores, network.forward(tensors.images), tensors.classes, settings, weights);
     }
     return result_of(scores);
 }
 
-}  // namespace ddtool::training
+}  // namespace ddtool::train_torch

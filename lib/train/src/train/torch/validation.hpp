@@ -3,11 +3,11 @@
 #include <vector>
 
 #include "dataset/dataset.hpp"
-#include "train/torch/class_weights.hpp"
+#include "train/torch/losses.hpp"
 #include "train/torch/network.hpp"
 #include "train/train_settings.hpp"
 
-namespace ddtool::training {
+namespace ddtool::train_torch {
 
 struct ValidationResult {
     double loss = 0.0;  ///< mean, weighted by class as in training
@@ -17,8 +17,7 @@ struct ValidationResult {
 };
 
 /// The network in evaluation mode over samples of a data set, as they are.
-ValidationResult validate(models::Network& network, const dataset::Dataset& data,
-                          const std::vector<std::size_t>& samples, const learning::TrainSettings& settings,
-                          const ClassWeights& weights, torch::Device device);
+ValidationResult validate(Network& network, const dataset::Dataset& data, const std::vector<std::size_t>& samples,
+                          const train::TrainSettings& settings, const ClassWeights& weights, torch::Device device);
 
-}  // namespace ddtool::training
+}  // namespace ddtool::train_torch

@@ -1,0 +1,13 @@
+#pragma once
+
+namespace ddtool {
+
+/// One function object of many, for std::visit: overloaded{[](const A&) {...}, [](const B&) {...}}.
+template <typename... Functions>
+struct overloaded : Functions... {
+    using Functions::operator()...;
+};
+template <typename... Functions>
+overloaded(Functions...) -> overloaded<Functions...>;
+
+}  // namespace ddtool

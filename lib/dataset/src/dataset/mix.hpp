@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ddtool/base/random.hpp"
+#include "ddtool/system/settings.hpp"
+
+namespace ddtool::dataset {
+
+/// How far the robot moves between two updates of the filter.
+struct UpdateDistance {
+    double distance_m = 0.0;
+    double turn_rad = 0.0;
+};
+
+/// What the runs of an item may differ in: each run draws one of each list. An empty list leaves its setting alone.
+struct Mix {
+    std::vector<std::uint64_t> particles;
+    std::vector<std::string> lidars;    ///< presets
+    std::vector<std::string> odometry;  ///< presets
+    std::vector<UpdateDistance> update_distances;
+    std::vector<std::string> methods;  ///< of the filter
+};
+
+/// Throws UsageError naming `where` and the key for a list of something else.
+Mix mix_from_json(const Json& mix, const std::string& where);
+
+/// What one run drew.
+struct Variant {
+    std::optional<std::uint64_t> particles;
+    std::optional<std::string> lidar;
+    std::optional<std::string> odometry;
+    std::optional<UpdateDistance> update_distance;
+    std::optional<std::string> method;
+};
+
+/// One of each list, all equally likely, so that a value given twice comes twice as often.
+Variant draw_variant(const Mix& mix, RandomStream random);
+
+}  // namespace ddtool::dataset

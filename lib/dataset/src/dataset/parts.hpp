@@ -1,0 +1,63 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "dataset/run_plan.hpp"
+#include "dataset/shard.hpp"
+#include "dataset/snapshot_run.hpp"
+#include "jobs/runner.hpp"
+
+namespace ddtool::dataset {
+
+/// A finished run on disk.
+struct StoredPart {
+    std::filesystem::path folder;
+    std::string program;  ///< the build of ddtool that made it
+    std::uint64_t scans = 0;
+    std::uint64_t snapshots = 0;
+    std::uint64_t log_problems = 0;
+    ShardEntry shard;
+};
+
+/// What became of a planned run.
+using RunResult = jobs::Result<StoredPart>;
+
+/// Finished runs, by their ids, under parts/ of a data set's folder: ID.samples.npy, ID.particles.npy, and ID.json
+/// last. See jobs::Store. Safe to use from many threads.
+class PartStore {
+public:
+    /// New parts go into `folder`; they are looked for there and in `others`. Makes the folder; throws Error.
+    PartStore(const std::filesystem::path& folder, const std::vector<std::string>& others);
+
+    /// Nullopt for a run that has not been made, or of which a file is damaged, which a warning tells: every byte is
+    /// read.
+    [[nodiscard]] std::optional<StoredPart> find(const PlannedRun& run) const;
+    StoredPart save(const PlannedRun& run, const SnapshotRun& made, const std::string& program);
+
+private:
+    std::vector<jobs::Store> stores_;  ///< the first is written to
+};
+
+/// Part `index` of `count`, for machines that share the work: every count-th run.
+struct WorkShare {
+    std::size_t index = 1;
+    std::size_t count = 1;
+
+    [[nodiscard]] bool has(std::size_t run) const { return run % count == index - 1; }
+};
+/// From "3/8", the third of eight. Throws UsageError.
+WorkShare parse_work_share(const std::string& text);
+
+/// Gives every run of the share a result: from the store where it is there, else by making it, as jobs::run() does.
+/// `program` names the build that computes. Runs outside of the share have neither part nor failure.
+std::vector<RunResult> make_parts(const RunPlan& plan, const WorkShare& share, PartStore& store, ThreadPool& threads,
+                                  const std::string& program);
+
+/// All runs from the store; throws Error naming how many are missing and the first.
+std::vector<RunResult> find_parts(const RunPlan& plan, const PartStore& store);
+
+}  // namespace ddtool::dataset

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "dataset/dataset.hpp"
+#include "ddtool/network/image_settings.hpp"
+
+namespace ddtool::dataset {
+
+/// Draws dispersion.png and fisher.png into the folder: for each family of scenes a histogram of what the label rule
+/// looks at, R or the physical ratio, on a logarithmic axis, and the share of samples that it calls degenerate.
+void draw_histograms(const std::filesystem::path& folder, const Dataset& data);
+
+/// "montage-RULE-SWARM.png".
+std::string montage_name(LabelRule rule, Swarm swarm);
+
+/// Draws montage-RULE-SWARM.png into the folder for both label rules and all swarms: a row a family of scenes, samples
+/// of each class beside each other, as the settings render them (but for the swarm).
+void draw_montages(const std::filesystem::path& folder, const Dataset& data, const ImageSettings& settings);
+
+}  // namespace ddtool::dataset

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <vector>
+
+#include "report/table.hpp"
+#include "study/ablation/runs.hpp"
+
+namespace ddtool::ablation {
+
+/// Our figures beside the paper's.
+Table accuracy_table(const Plan& plan, const std::vector<RowResult>& results);
+Table timing_table(const Plan& plan, const std::vector<TimingResult>& results);
+
+}  // namespace ddtool::ablation

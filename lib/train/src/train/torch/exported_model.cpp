@@ -1,0 +1,144 @@
+#include "train/torch/exported_model.hpp"
+
+#include <caffe2/serialize/inline_container.h>
+#include <torch/csrc/jit/frontend/tracer.h>
+#include <torch/script.h>
+#include <sstream>
+
+#include "ddtool/base/error.hpp"
+#include "system/atomic_file.hpp"
+#include "system/checksums.hpp"
+#include "train/torch/losses.hpp"
+#include "train/torch/torch_errors.hpp"
+#include "train/torch/torch_model.hpp"
+
+namespace ddtool::train_torch {
+namespace {
+
+constexpr const char* description_file = "ddtool.json";
+
+/// A TorchScript module of the same shape that holds the very same tensors.
+torch::jit::Module owner_of(const torch::nn::Module& network, const std::string& name,
+                            const std::shared_ptr<torch::jit::CompilationUnit>& unit) {
+    // The name of a class may not be a number, as those of a Sequential's children are.
+    torch::jit::Module owner(c10::QualifiedName("__torch__.layer_" + name), unit, /*shouldMangle=*/true);
+    for (const auto& parameter : network.named_parameters(/*recurse=*/false)) {
+        owner.register_parameter(parameter.key(), parameter.value(), /*is_buffer=*/false);
+    }
+    for (const auto& buffer : network.named_buffers(/*recurse=*/false)) {
+        owner.register_buffer(buffer.key(), buffer.value());
+    }
+    for (const auto& child : network.named_children()) {
+        owner.register_module(child.key(), owner_of(*child.value(), child.key(), unit));
+    }
+    owner.register_attribute("training", c10::BoolType::get(), false);
+    return owner;
+}
+
+/// Records what the network does with a batch as the method "forward" of its owner.
+void trace_forward(torch::jit::Module& owner, Network& network, const native::ModelDescription& description) {
+    const auto size = static_cast<std::int64_t>(description.image.size_px);
+    // Two images: with one, a step that only works for a batch of one would go unnoticed.
+    const torch::Tensor images = torch::zeros({2, 1, size, size}, network.parameters().front().options());
+    const auto forward = [&](torch::jit::Stack inputs) -> torch::jit::Stack {
+        const torch::Tensor logits = network.forward(inputs.at(0).toTensor()) / description.temperature;
+        return {output_values(description.loss, logits)};
+    };
+    const auto traced = torch::jit::tracer::trace(
+        {images}, forward, [](const torch::autograd::Variable&) { return std::string(); }, /*strict=*/true,
+        /*force_outplace=*/false, &owner, {"images"});
+    const c10::QualifiedName name(*owner.type()->name(), "forward");
+    owner.type()->addMethod(owner._ivalue()->compilation_unit()->create_function(name, traced.first->graph));
+}
+
+/// Every archive of LibTorch lists its files at the end under their names.
+bool has_file(const std::filesystem::path& path, const std::string& name) {
+    caffe2::serialize::PyTorchStreamReader reader(path.string());
+    return reader.hasRecord("extra/" + name);
+}
+
+native::ModelDescription description_in(const std::string& text, const std::filesystem::path& path) {
+    if (text.empty()) {
+        throw Error(path.string() + ": not a model of ddtool: no " + description_file + " inside");
+    }
+    return native::parse_description(text, path.string());
+}
+
+/// Makes ready what was loaded, in one precision: what it makes knows no autocast, and LibTorch 1.13 cannot save it.
+/// optimize_for_inference folds batch normalisation and lays weights out for the processor. Networks with hard swish or
+/// hard sigmoid are only frozen, which folds too: LibTorch 1.13 applies those to the padding of such layouts and gets
+/// wrong values, off by 0.4 of a MobileNetV3's degree.
+torch::jit::Module made_ready(torch::jit::Module module) {
+    const std::string code = module.get_method("forward").graph()->toString(/*print_source_locations=*/false);
+    return code.find("aten::hard") == std::string::npos ? torch::jit::optimize_for_inference(module)
+                                                        : torch::jit::freeze(module);
+}
+
+torch::Tensor class_values(torch::Tensor values) {
+    if (values.dim() != 2 || values.size(1) != 2) {
+        throw std::runtime_error("it answers with other than two values an image");
+    }
+    return values;
+}
+
+}  // namespace
+
+void write_torch_script(const std::filesystem::path& path, Network& network,
+                        const native::ModelDescription& description) {
+    network.eval();
+    const torch::NoGradGuard no_gradients;
+    torch::jit::Module owner = owner_of(network, "network", std::make_shared<torch::jit::CompilationUnit>());
+    trace_forward(owner, network, description);
+    std::ostringstream bytes;
+    owner.save(bytes, {{description_file, Json(description).dump(2)}});
+    write_file(path, bytes.view());
+}
+
+bool is_exported_model(const std::filesystem::path& path) {
+    if (!std::filesystem::is_regular_file(path)) {
+        throw Error(path.string() + ": no such file; expected a model of ddtool export, or a checkpoint");
+    }
+    return guarded_by_path(path, "neither a TorchScript model nor a checkpoint, or cut short",
+                           [&] { return has_file(path, description_file); });
+}
+
+std::unique_ptr<native::DegreeModel> load_torch_script(const std::filesystem::path& path,
+                                                       const train::RunOptions& options) {
+    expect_listed_checksum(path);
+    torch::jit::ExtraFilesMap extra{{description_file, ""}};
+    const auto guarded = [path](auto&& action) {
+        return guarded_by_path(path, "not a TorchScript model of ddtool", action);
+    };
+    torch::jit::Module module =
+        guarded([&] { return torch::jit::load(path.string(), torch::Device(options.device), extra); });
+    native::ModelDescription description = description_in(extra.at(description_file), path);
+    guarded([&] {
+        module.eval();
+        if (options.precision == "fp32") {
+            module = made_ready(std::move(module));
+        }
+    });
+    return std::make_unique<TorchModel>(
+        std::move(description),
+        [module, guarded](const torch::Tensor& images) mutable {
+            return guarded([&] { return class_values(module.forward({images}).toTensor()); });
+        },
+        options);
+}
+
+native::PlainWeights plain_weights(const Network& network, const native::ModelDescription& about) {
+    native::PlainWeights weights{Json(about).dump(), {}};
+    const auto add = [&](const auto& items) {
+        for (const auto& item : items) {
+            const torch::Tensor values = item.value().detach().to(torch::kCPU, torch::kFloat32).contiguous();
+            weights.tensors.push_back({item.key(),
+                                       values.sizes().vec(),
+                                       {values.data_ptr<float>(), values.data_ptr<float>() + values.numel()}});
+        }
+    };
+    add(network.named_parameters());
+    add(network.named_buffers());
+    return weights;
+}
+
+}  // namespace ddtool::train_torch
