@@ -21,7 +21,7 @@
 #include "sim/world_catalogue.hpp"
 #include "study/ablation/plan.hpp"
 #include "study/compare/experiment.hpp"
-#include "train/torch/checkpoint.hpp"
+#include "train/training_state.hpp"
 #include "train/train_settings.hpp"
 
 namespace ddtool::fuzz {
@@ -86,7 +86,7 @@ void read_description(std::span<const char> content) {
 /// As training/checkpoint.cpp does, which needs LibTorch.
 void read_training_state(std::span<const char> content) {
     try {
-        (void)parse_json({content.data(), content.size()}, "state").get<train_torch::TrainingState>();
+        (void)parse_json({content.data(), content.size()}, "state").get<train::TrainingState>();
     } catch (const Json::exception& error) {
         throw Error(error.what());
     }

@@ -14,7 +14,7 @@
 #include "run/snapshot_file.hpp"
 #include "swarm_dataset.hpp"
 #include "system/atomic_file.hpp"
-#include "train/torch/checkpoint.hpp"
+#include "train/training_state.hpp"
 
 namespace ddtool::fuzz {
 namespace {
@@ -138,7 +138,7 @@ void write_networks(const fs::path& folder) {
 }
 
 void write_checkpoints(const fs::path& folder) {
-    train_torch::TrainingState state;
+    train::TrainingState state;
     state.history.resize(2);
     write_seed(folder, "state", Json(state).dump());
     write_seed(folder, "description", test::drawn_dd_model("ddmodel-lite", 64).about);

@@ -13,16 +13,16 @@
 namespace ddtool::test {
 namespace {
 
-const std::filesystem::path samples = DDTOOL_MCAP_SAMPLES;
+const std::filesystem::path ros2_samples = DDTOOL_MCAP_SAMPLES;
 
 /// The messages of ros2.mcap, which @foxglove/rosmsg2-serialization encoded, and what it was given.
 class Ros2Sample : public testing::Test {
 protected:
     Ros2Sample() {
-        for (const OwnedMessage& message : read_back(ByteSource(samples / "ros2.mcap")).messages) {
+        for (const OwnedMessage& message : read_back(ByteSource(ros2_samples / "ros2.mcap")).messages) {
             messages_[message.channel.topic] = message;
         }
-        for (const Json& one : Json::parse(read_file(samples / "ros2_expected.json"))) {
+        for (const Json& one : Json::parse(read_file(ros2_samples / "ros2_expected.json"))) {
             expected_[one.at("topic")] = one.at("message");
         }
     }

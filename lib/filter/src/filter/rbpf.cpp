@@ -101,6 +101,7 @@ Rbpf::PreparedScan Rbpf::prepare(const SensorFrame& frame) const {
 /// There is no map yet that a scan could be matched to.
 void Rbpf::start(const Pose2& world_from_robot) {
     particles_.assign(settings_.particles, Particle{.pose = world_from_robot,
+                                                    .pose_before = world_from_robot,
                                                     .predicted_motion = {},
                                                     .matched_motion = {},
                                                     .match = {},
@@ -112,6 +113,7 @@ void Rbpf::propagate(const Step& step) {
     threads_.for_each(particles_.size(), [&](std::size_t index, std::size_t /*worker*/) {
         Particle& particle = particles_[index];
         RandomStream random({settings_.seed, motion_draw, updates_, index});
+        particle.pose_before = particle.pose;
         particle.predicted_motion = sample_motion(step.expected_motion, settings_.motion, random);
         particle.covariance =
             predicted_covariance(particle.covariance, particle.pose, step.expected_motion, step.sigmas);
@@ -123,14 +125,13 @@ void Rbpf::match(const PreparedScan& scan, const Step& step) {
     threads_.for_each(particles_.size(), [&](std::size_t index, std::size_t worker) {
         Particle& particle = particles_[index];
         ScanMatcher& matcher = workers_[worker].matcher;
-        const Pose2 before = particle.pose;
-        const Pose2 predicted = before * particle.predicted_motion;
+        const Pose2 predicted = particle.pose_before * particle.predicted_motion;
         particle.match = matcher.match(particle.grid, scan.match_points, predicted, step.prior);
         if (!particle.match.accepted(settings_.min_match_score)) {
             particle.match = matcher.evaluate(particle.grid, scan.match_points, predicted);
         }
         particle.pose = particle.match.pose;
-        particle.matched_motion = between(before, particle.pose);
+        particle.matched_motion = between(particle.pose_before, particle.pose);
     });
 }
 
@@ -148,7 +149,7 @@ void Rbpf::correct(const PreparedScan& scan, const Step& step, const Degeneracy&
     threads_.for_each(particles_.size(), [&](std::size_t index, std::size_t worker) {
         Particle& particle = particles_[index];
         if (!strategies_.corrections.empty()) {
-            const Pose2 before = particle.pose * inverse(particle.matched_motion);
+            const Pose2& before = particle.pose_before;
             const MatchContext context{
                 .matcher = workers_[worker].matcher,
                 .grid = particle.grid,

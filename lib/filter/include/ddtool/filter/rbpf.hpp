@@ -38,6 +38,7 @@ struct RbpfSettings {
 /// A hypothesis of the path and the map that goes with it.
 struct Particle {
     Pose2 pose;              ///< world_from_robot
+    Pose2 pose_before;       ///< at the update before
     Pose2 predicted_motion;  ///< since the last update, in the robot's frame there, sampled from the motion model
     Pose2 matched_motion;    ///< the same after scan matching and corrections
     ScanMatch match;

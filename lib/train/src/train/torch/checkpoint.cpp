@@ -33,20 +33,6 @@ void write_archive(const std::filesystem::path& path, torch::serialize::OutputAr
 
 }  // namespace
 
-const train::EpochRecord* best_epoch(const TrainingState& state) {
-    const auto best = std::min_element(
-        state.history.begin(), state.history.end(),
-        [](const auto& first, const auto& second) { return first.validation_loss < second.validation_loss; });
-    return best == state.history.end() ? nullptr : &*best;
-}
-
-bool finished(const TrainingState& state) {
-    const train::EpochRecord* const best = best_epoch(state);
-    const std::size_t patience = state.settings.patience_epochs;
-    const bool stuck = patience > 0 && best != nullptr && state.epoch - best->epoch >= patience;
-    return stuck || state.epoch >= state.settings.epochs;
-}
-
 void write_checkpoint(const std::filesystem::path& path, const Network& network,
                       const native::ModelDescription& description) {
     torch::serialize::OutputArchive archive;
@@ -56,7 +42,7 @@ void write_checkpoint(const std::filesystem::path& path, const Network& network,
 
 void write_checkpoint(const std::filesystem::path& path, const Network& network,
                       const native::ModelDescription& description, const torch::optim::Optimizer& optimizer,
-                      const TrainingState& state) {
+                      const train::TrainingState& state) {
     torch::serialize::OutputArchive archive;
     put_network(archive, network, description);
     archive.write(state_key, torch::IValue(Json(state).dump()));
@@ -101,9 +87,9 @@ std::shared_ptr<Network> Checkpoint::network() {
     return network;
 }
 
-TrainingState Checkpoint::state() {
+train::TrainingState Checkpoint::state() {
     const std::string state = text(state_key);
-    return guarded([&] { return parse_json(state, path_.string()).get<TrainingState>(); });
+    return guarded([&] { return parse_json(state, path_.string()).get<train::TrainingState>(); });
 }
 
 void Checkpoint::restore(Network& network, torch::optim::Optimizer& optimizer) {

@@ -53,7 +53,7 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-void expect_same_run(const TrainingState& now, const TrainingState& then, const std::filesystem::path& path) {
+void expect_same_run(const train::TrainingState& now, const train::TrainingState& then, const std::filesystem::path& path) {
     const auto expect_same = [&](const char* what, const Json& ours, const Json& theirs) {
         if (ours != theirs) {
             throw UsageError(path.string() + ": cannot be resumed with another " + what + ": it was " +
@@ -101,7 +101,7 @@ void Trainer::resume() {
         return;
     }
     Checkpoint checkpoint(last, device_);
-    const TrainingState before = checkpoint.state();
+    const train::TrainingState before = checkpoint.state();
     expect_same_run(state_, before, last);
     checkpoint.restore(*network_, *optimizer_);
     state_ = before;
@@ -112,7 +112,7 @@ train::TrainResult Trainer::run() {
     while (!finished(state_) && !stopped()) {
         run_epoch();
     }
-    const train::EpochRecord* const best = best_epoch(state_);
+    const train::EpochRecord* const best = train::best_epoch(state_);
     return {.best = request_.out / best_name,
             .best_epoch = best == nullptr ? train::EpochRecord{} : *best,
             .epochs = state_.epoch,
@@ -177,7 +177,7 @@ double Trainer::rate_of_step(std::size_t step, std::size_t steps_per_epoch) cons
 
 void Trainer::end_epoch(std::size_t steps) {
     const Clock::time_point start = Clock::now();
-    const LossSums& own = state_.sums;
+    const train::LossSums& own = state_.sums;
     const std::vector<double> sums = communicator_.sums({own.loss, own.correct, own.count});
     ValidationResult found;
     if (communicator_.leads()) {
@@ -199,7 +199,7 @@ void Trainer::end_epoch(std::size_t steps) {
     state_.step = 0;
     state_.sums = {};
     if (communicator_.leads()) {
-        if (best_epoch(state_)->epoch == state_.epoch) {
+        if (train::best_epoch(state_)->epoch == state_.epoch) {
             write_checkpoint(request_.out / best_name, *network_, description());
         }
         train::write_history(request_.out, state_.history);
@@ -216,7 +216,7 @@ native::ModelDescription Trainer::description() const {
     about.dataset = state_.dataset;
     about.seed = state_.settings.seed;
     about.metrics = Json::object();
-    if (const train::EpochRecord* const best = best_epoch(state_)) {
+    if (const train::EpochRecord* const best = train::best_epoch(state_)) {
         about.metrics = {{"epoch", best->epoch},
                          {"validation_loss", best->validation_loss},
                          {"validation_accuracy", best->validation_accuracy},

@@ -51,7 +51,7 @@ private:
     std::shared_ptr<Network> network_;
     std::vector<torch::Tensor> parameters_;
     std::unique_ptr<torch::optim::Optimizer> optimizer_;
-    TrainingState state_;
+    train::TrainingState state_;
     Clock::time_point last_save_ = Clock::now();
     Progress progress_;
     InterruptRequest interrupt_;
