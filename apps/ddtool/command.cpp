@@ -1,17 +1,12 @@
 #include "command.hpp"
 
-#include <algorithm>
 #include <cstdint>
 #include <utility>
 
+#include "system/setting_rows.hpp"
+
 namespace ddtool {
 namespace {
-
-Json setting_at(const Json& settings, const std::string& path) {
-    std::string pointer = "/" + path;
-    std::replace(pointer.begin(), pointer.end(), '.', '/');
-    return settings.at(Json::json_pointer(pointer));
-}
 
 std::string type_name(const Json& value) {
     if (value.is_number_integer()) {

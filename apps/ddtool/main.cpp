@@ -13,6 +13,7 @@
 #include "man_command.hpp"
 #include "program.hpp"
 #include "score_command.hpp"
+#include "settings_command.hpp"
 #include "simulate_command.hpp"
 #include "slam_command.hpp"
 #include "surroundings.hpp"
@@ -35,6 +36,7 @@ CommandTable all_commands() {
     table.push_back(std::make_unique<InfoCommand>());
     table.push_back(std::make_unique<ManCommand>());
     table.push_back(std::make_unique<ScoreCommand>());
+    table.push_back(std::make_unique<SettingsCommand>());
     table.push_back(std::make_unique<SimulateCommand>());
     table.push_back(std::make_unique<SlamCommand>());
     table.push_back(std::make_unique<TrainCommand>());

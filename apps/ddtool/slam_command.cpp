@@ -55,6 +55,10 @@ std::vector<std::string> shortfalls(const std::string& file, const LogSummary& l
     if (interrupt.made()) {
         lines.push_back("interrupted: the results end after scan " + std::to_string(run.trajectory.size()));
     }
+    if (!run.ended_early.empty()) {
+        lines.push_back(file + ": " + run.ended_early + "; the results end after scan " +
+                        std::to_string(run.trajectory.size()));
+    }
     if (!log.has_odometry) {
         lines.push_back(file +
                         ": no odometry: the motion was worked out from the scans, which fails where they look alike");
@@ -89,6 +93,8 @@ void SlamCommand::add_options(CLI::App& app) {
         ->type_name(choices(all_detectors().names()) + "|FILE");
     bind_option(app, "--particles", "filter.particles", "Hypotheses, each with its own map");
     bind_option(app, "--seed", "filter.seed", "Of all chance: the same seed gives the same result");
+    bind_option(app, "--max-memory", "filter.grid.most_memory_mib",
+                "The run ends with what it has when its maps would take more MiB; 0: three quarters of what is free");
     app.add_option("--threads", threads_, "0: every core; the result does not depend on it")
         ->type_name("INT")
         ->capture_default_str();
@@ -157,6 +163,7 @@ ExitCode SlamCommand::run(const Json& settings) {
                       {"settings", settings},
                       {"log", log_report(log_file_, scans.summary())},
                       {"interrupted", interrupt.made()},
+                      {"ended_early", result.ended_early},
                       {"run", run},
                       {"cost", cost_report(threads_, start)}};
     folder.write_json("run.json", report);

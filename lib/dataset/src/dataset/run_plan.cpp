@@ -5,6 +5,7 @@
 
 #include "base/pattern.hpp"
 #include "dataset/build_settings.hpp"
+#include "dataset/run_id.hpp"
 #include "dataset/variant.hpp"
 #include "ddtool/base/error.hpp"
 #include "methods/settings_json.hpp"
@@ -105,6 +106,7 @@ private:
 
     void add_log(const Json& item, const std::string& where) {
         const auto path = item.at("log").get<std::string>();
+        expect_allowed(item.at("range_sd_m"), Allowed::number(1e-6, 100.0), "m", where + ".range_sd_m");
         const std::string name = std::filesystem::path(path).stem().string();
         const std::string content = file_fingerprint(path);
         add_source("log", name);
@@ -162,7 +164,7 @@ private:
         simulation["lidar"].update(variant.lidar);
         simulation["odometry"].update(variant.odometry);
         simulation["seed"] = seed;
-        (void)sim::simulation_from_json(simulation);
+        (void)sim::simulation_from_json(simulation, "simulation");
         return simulation;
     }
 
@@ -171,7 +173,7 @@ private:
         run.configuration["seed"] = settings_.at("seed");
         run.configuration["thinning"] = settings_.at("thinning");
         run.entry.source = static_cast<std::uint32_t>(plan_.sources.size() - 1);
-        run.entry.id = Fingerprint().add(run.configuration.dump()).hex();
+        run.entry.id = run_id(run.configuration);
         if (ids_.insert(run.entry.id).second) {
             plan_.runs.push_back(std::move(run));
         }
@@ -185,7 +187,7 @@ private:
 }  // namespace
 
 RunPlan plan_runs(const Json& settings) {
-    (void)thinning_from_json(settings.at("thinning"));
+    expect_valid_plan(settings);
     return Planner(settings).plan();
 }
 

@@ -10,10 +10,7 @@ std::optional<SensorFrame> timed_next(SensorStream& stream, double& seconds) {
     return stream.next();
 }
 
-}  // namespace
-
-FilterRun run_filter(SensorStream& stream, Rbpf& filter, const FrameObserver& observe) {
-    FilterRun run;
+void feed(SensorStream& stream, Rbpf& filter, const FrameObserver& observe, FilterRun& run) {
     bool wanted = true;
     while (wanted) {
         const std::optional<SensorFrame> frame = timed_next(stream, run.read_s);
@@ -25,6 +22,20 @@ FilterRun run_filter(SensorStream& stream, Rbpf& filter, const FrameObserver& ob
             run.ground_truth.push_back({frame->scan.stamp_ns, *frame->world_from_robot});
         }
         wanted = observe(*frame, moved);
+    }
+}
+
+}  // namespace
+
+FilterRun run_filter(SensorStream& stream, Rbpf& filter, const FrameObserver& observe) {
+    FilterRun run;
+    try {
+        feed(stream, filter, observe, run);
+    } catch (const MapTooLarge& reason) {
+        if (filter.updates() == 0) {
+            throw;
+        }
+        run.ended_early = reason.what();
     }
     if (!filter.particles().empty()) {
         run.map = filter.best().grid;

@@ -59,7 +59,7 @@ ScanMatch InformationFusion::correct(const MatchContext& context, const ScanMatc
     Eigen::Vector3d apart = Eigen::Vector3d::Zero();
     Eigen::Matrix3d odometry = context.odometry_information;
     if (matched) {
-        match = credible_information(found.information, odometry, settings_.normal_error_rad, degeneracy.degree);
+        match = credible_information(found.information, odometry, normal_error_rad, degeneracy.degree);
         apart = match_offset(context, found);
         odometry = cautious(odometry, match, apart, settings_.most_deviations);
     }

@@ -46,11 +46,11 @@ void add_side(const ScanPoints& points, std::size_t point, int step, double radi
 /// Neighbours farther apart than the radius are of one surface only if they lie on a line this well.
 constexpr double far_line_residual_m = 0.04;
 
-void set_normal(ScanPoints& points, std::size_t point, const ScanPointsSettings& settings) {
+void set_normal(ScanPoints& points, std::size_t point) {
     Moments m;
     m.add(0.0, 0.0);
-    add_side(points, point, 1, settings.normal_radius_m, m);
-    add_side(points, point, -1, settings.normal_radius_m, m);
+    add_side(points, point, 1, ScanPoints::normal_radius_m, m);
+    add_side(points, point, -1, ScanPoints::normal_radius_m, m);
     if (m.count < points_of_a_line) {
         return;
     }
@@ -60,14 +60,15 @@ void set_normal(ScanPoints& points, std::size_t point, const ScanPointsSettings&
     const double root = std::hypot((xx - yy) / 2.0, xy);
     const double largest = (xx + yy) / 2.0 + root;
     const double smallest = std::max((xx + yy) / 2.0 - root, 0.0);
-    if (std::sqrt(largest) > settings.normal_radius_m && std::sqrt(smallest) > far_line_residual_m) {
+    if (std::sqrt(largest) > ScanPoints::normal_radius_m && std::sqrt(smallest) > far_line_residual_m) {
         return;
     }
     const double line_angle_rad = std::atan2(2.0 * xy, xx - yy) / 2.0;
     points.normal_x[point] = static_cast<float>(-std::sin(line_angle_rad));
     points.normal_y[point] = static_cast<float>(std::cos(line_angle_rad));
     const double flatness = std::sqrt(smallest / std::max(largest, 1e-12));
-    const double roughness = std::clamp((flatness - settings.line_flatness) / (1.0 - settings.line_flatness), 0.0, 1.0);
+    const double roughness =
+        std::clamp((flatness - ScanPoints::line_flatness) / (1.0 - ScanPoints::line_flatness), 0.0, 1.0);
     points.along_weight[point] = static_cast<float>(roughness * roughness);
 }
 
@@ -158,7 +159,7 @@ ScanPoints scan_points(const SensorFrame& frame, const ScanPointsSettings& setti
     points.normal_y.assign(points.size(), 0.0F);
     points.along_weight.assign(points.size(), 1.0F);
     for (std::size_t point = 0; point < points.size(); ++point) {
-        set_normal(points, point, settings);
+        set_normal(points, point);
     }
     return points;
 }

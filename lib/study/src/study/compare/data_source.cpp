@@ -47,7 +47,7 @@ DataSource WorldEntry::simulated(std::uint64_t seed) const {
     DataSource source;
     source.identity = {
         {"world", world}, {"fingerprint", sim::world_fingerprint(sim::load_world(world))}, {"simulation", simulation}};
-    source.open = [world, settings = sim::simulation_from_json(simulation)](const LogProblemHandler&) {
+    source.open = [world, settings = sim::simulation_from_json(simulation, "simulation")](const LogProblemHandler&) {
         return std::make_unique<sim::SimulatedStream>(sim::load_world(world), settings);
     };
     return source;
