@@ -11,9 +11,8 @@ int main(int, char** argv) {
     const auto report = [](const ddtool::LogProblem& problem) { std::cerr << problem.what << '\n'; };
     ddtool::DrivenScans scans(ddtool::open_log(argv[1], {}, report), settings.rbpf);
     while (const auto frame = scans.next()) {
-        if (filter->process(*frame)) {
-            const ddtool::Pose2 pose = filter->pose();
-            std::cout << pose.x_m << ' ' << pose.y_m << ' ' << filter->last_report().degeneracy.degree << '\n';
+        if (const auto update = filter->update(*frame)) {
+            std::cout << update->pose.x_m << ' ' << update->pose.y_m << ' ' << update->degeneracy.degree << '\n';
         }
     }
     const ddtool::CellBox box = filter->best().grid.observed_box();

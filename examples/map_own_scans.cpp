@@ -16,6 +16,7 @@ static float range_m(double x, double angle_rad) {
 int main() {
     ddtool::ThreadPool threads;
     const auto filter = ddtool::make_filter({}, {}, threads);
+    double degree = 0.0;
     for (int i = 0; i < 20; ++i) {
         ddtool::SensorFrame frame;
         frame.odom_from_robot = {0.1 * i, 0.0, 0.0};
@@ -27,11 +28,13 @@ int main() {
         for (std::size_t beam = 0; beam < 360; ++beam) {
             frame.scan.ranges_m.push_back(range_m(0.1 * i, frame.scan.angle_rad(beam)));
         }
-        ddtool::normalise_ranges(frame.scan);  // zeros, NaN and what is too far, as ROS writes them
-        filter->process(frame);
+        ddtool::normalise_ranges(frame.scan);             // zeros, NaN and what is too far, as ROS writes them
+        if (const auto update = filter->update(frame)) {  // empty where the robot has hardly moved
+            degree = update->degeneracy.degree;
+        }
     }
     const ddtool::OccupancyGrid& map = filter->best().grid;
     const ddtool::Cell wall{static_cast<int>(std::floor(4.0 / map.cell_size_m())), 0};
-    std::cout << "x " << filter->pose().x_m << ", degree " << filter->last_report().degeneracy.degree << ", wall "
+    std::cout << "x " << filter->pose().x_m << ", degree " << degree << ", wall "
               << (map.occupied(wall) || map.occupied({wall.x - 1, 0})) << '\n';
 }

@@ -36,12 +36,11 @@ struct Served {
 /// The filter's particles end here, so that their memory can be given back before the pictures are drawn.
 FilterRun run_over(DrivenScans& scans, std::unique_ptr<Rbpf> filter, const InterruptRequest& interrupt,
                    RunFolder& folder, Served* served) {
-    folder.watch(*filter);
     Progress progress("slam", "scans");
-    return run_filter(scans, *filter, [&](const SensorFrame& frame, bool moved) {
-        folder.add(frame, *filter, moved);
+    return run_filter(scans, *filter, [&](const SensorFrame& frame, const std::optional<Update>& update) {
+        folder.add(frame, update, *filter);
         if (served != nullptr) {
-            served->run.add(frame, *filter, moved);
+            served->run.add(frame, update, *filter);
         }
         progress.update(scans.fraction_read(), scans.summary().scans);
         return !interrupt.made();
@@ -66,12 +65,12 @@ std::vector<std::string> shortfalls(const std::string& file, const LogSummary& l
     return lines;
 }
 
-Json cost_report(std::size_t threads, Clock::time_point start) {
+CostReport cost_report(std::size_t threads, Clock::time_point start) {
     const ProcessUsage usage = process_usage();
-    return {{"threads", threads},
-            {"wall_s", std::chrono::duration<double>(Clock::now() - start).count()},
-            {"cpu_s", usage.cpu_s},
-            {"peak_memory_bytes", usage.peak_memory_bytes}};
+    return {.threads = threads,
+            .wall_s = std::chrono::duration<double>(Clock::now() - start).count(),
+            .cpu_s = usage.cpu_s,
+            .peak_memory_bytes = usage.peak_memory_bytes};
 }
 
 }  // namespace
@@ -155,26 +154,36 @@ ExitCode SlamCommand::run(const Json& settings) {
     }
     folder.finish(result, map);
     folder.write_json("config.json", settings);
-    Json run = run_report(result, map);
-    run["stages"]["write_s"] = folder.write_s();
-    run["step_ms"] = step_time_report(folder.course());
+    const RunReport run = run_report(result, map, folder.course(), folder.write_s());
+    const CostReport cost = cost_report(threads_, start);
+    const Json log = log_report(log_file_, scans.summary());
+    const Json versions = version_report();
     const Json report{{"command", "slam"},
-                      {"versions", version_report()},
+                      {"versions", versions},
                       {"settings", settings},
-                      {"log", log_report(log_file_, scans.summary())},
+                      {"log", log},
                       {"interrupted", interrupt.made()},
                       {"ended_early", result.ended_early},
-                      {"run", run},
-                      {"cost", cost_report(threads_, start)}};
+                      {"run", to_run_json(run)},
+                      {"cost", cost}};
     folder.write_json("run.json", report);
     const std::vector<std::string> losses = shortfalls(log_file_, scans.summary(), interrupt, result);
     std::vector<std::string> warnings = log_warnings(scans.summary());
     warnings.insert(warnings.end(), losses.begin(), losses.end());
     const bool has_page = folder.write_page([&] {
-        return run_page(report, warnings, result, map, folder.course(),
-                        image_seen_by(parts_of(filter_settings.method).detector));
+        return run_page({.log_file = log_file_,
+                         .warnings = warnings,
+                         .run = result,
+                         .map = map,
+                         .course = folder.course(),
+                         .report = run,
+                         .cost = cost,
+                         .image = image_seen_by(parts_of(filter_settings.method).detector),
+                         .settings = settings,
+                         .log = log,
+                         .versions = versions});
     });
-    std::cout << (as_json_ ? report.dump(2) + "\n" : slam_summary(report, folder_, folder.files()));
+    std::cout << (as_json_ ? report.dump(2) + "\n" : slam_summary(run, cost, folder_, folder.files()));
     const ExitCode log_loss = problems.finish(scans.summary());
     std::for_each(losses.begin(), losses.end(), log_warning);
     if (served && !interrupt.made()) {

@@ -4,12 +4,6 @@
 #include "version.hpp"
 
 namespace ddtool {
-namespace {
-
-std::string fixed(const Json& number, int decimals) { return fixed_text(number.get<double>(), decimals); }
-
-}  // namespace
-
 Json log_report(const std::string& file, const LogSummary& log) {
     return {{"file", file},
             {"format", log.format},
@@ -32,20 +26,19 @@ Json version_report() {
     return report;
 }
 
-std::string slam_summary(const Json& report, const std::string& folder, const std::vector<std::string>& files) {
-    const Json& run = report.at("run");
-    const Json& map = run.at("map");
-    const Json& cost = report.at("cost");
-    std::string text = "scans    " + run.at("scans").dump() + " in " + fixed(run.at("duration_s"), 1) + " s; " +
-                       run.at("updates").dump() + " filter updates, " + run.at("resamplings").dump() + " resamplings\n";
-    text += "map      " + fixed(map.at("width_m"), 1) + " m x " + fixed(map.at("height_m"), 1) + " m, path " +
-            fixed(run.at("path_m"), 1) + " m\n";
-    if (run.contains("errors")) {
-        text += "error    " + fixed(run.at("errors").at("ate_m").at("rmse"), 3) +
+std::string slam_summary(const RunReport& run, const CostReport& cost, const std::string& folder,
+                         const std::vector<std::string>& files) {
+    std::string text = "scans    " + std::to_string(run.scans) + " in " + fixed_text(run.duration_s, 1) + " s; " +
+                       std::to_string(run.updates) + " filter updates, " + std::to_string(run.resamplings) +
+                       " resamplings\n";
+    text += "map      " + fixed_text(run.map_width_m, 1) + " m x " + fixed_text(run.map_height_m, 1) + " m, path " +
+            fixed_text(run.path_m, 1) + " m\n";
+    if (run.errors && run.errors->absolute) {
+        text += "error    " + fixed_text(run.errors->absolute->translation_m.rmse, 3) +
                 " m rmse against the ground truth (ATE)\n";
     }
-    text += "cost     " + fixed(cost.at("wall_s"), 1) + " s, " + fixed(cost.at("cpu_s"), 1) + " s of CPU time, " +
-            fixed(1e-6 * cost.at("peak_memory_bytes").get<double>(), 0) + " MB of memory\n";
+    text += "cost     " + fixed_text(cost.wall_s, 1) + " s, " + fixed_text(cost.cpu_s, 1) + " s of CPU time, " +
+            fixed_text(1e-6 * static_cast<double>(cost.peak_memory_bytes), 0) + " MB of memory\n";
     return text + "written  " + folder + ": " + joined(files) + "\n";
 }
 

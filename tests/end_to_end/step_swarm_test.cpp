@@ -1,5 +1,5 @@
 // What the step swarm's canvas is chosen by: the filter itself in a room and in a corridor, with short and long steps.
-// Prints the figures of docs/imaging.md.
+// Prints the figures of docs/reports/2026-11-22-particle-images.md.
 
 #include <gtest/gtest.h>
 
@@ -33,13 +33,12 @@ Spreads step_spreads(const std::string& world, double update_distance_m) {
     Rbpf filter(settings, threads);
     std::vector<double> predicted;
     std::vector<double> matched;
-    filter.on_snapshot([&](const ParticleSnapshot& snapshot, const Degeneracy&) {
-        predicted.push_back(spread_m(snapshot.particles, &SnapshotParticle::predicted_motion));
-        matched.push_back(spread_m(snapshot.particles, &SnapshotParticle::matched_motion));
-    });
     sim::SimulatedStream stream(sim::load_world(world), {});
     for (int scan = 0; scan < 720; ++scan) {
-        filter.process(*stream.next());
+        if (const auto update = filter.update(*stream.next())) {
+            predicted.push_back(spread_m(update->matched.particles, &SnapshotParticle::predicted_motion));
+            matched.push_back(spread_m(update->matched.particles, &SnapshotParticle::matched_motion));
+        }
     }
     return {median(predicted), median(matched)};
 }

@@ -42,7 +42,7 @@ inline Trajectory filtered(const std::vector<SensorFrame>& frames, const RbpfSet
     ThreadPool pool(threads);
     Rbpf filter(settings, pool, strategies);
     for (const SensorFrame& frame : frames) {
-        filter.process(frame);
+        filter.update(frame);
     }
     return filter.trajectory();
 }

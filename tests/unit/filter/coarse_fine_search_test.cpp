@@ -23,7 +23,7 @@ TEST(CoarseFineSearch, NearsThePoseTheMoreTheHigherTheDegree) {
     const Pose2 start = view.pose * Pose2{0.22, -0.2, 0.11};
     const ScanMatch found = view.matcher.evaluate(view.grid, view.match_points, start);
     const auto searched = [&](double degree) {
-        return CoarseFineSearch({}).correct(view.context(start, start), found, {degree});
+        return CoarseFineSearch({}).correct(view.context_of_degree(degree, start), found);
     };
     EXPECT_GT(searched(0.0).score, found.score);
     EXPECT_GT(searched(1.0).score, searched(0.0).score);
@@ -33,7 +33,7 @@ TEST(CoarseFineSearch, NearsThePoseTheMoreTheHigherTheDegree) {
 TEST(CoarseFineSearch, LeavesTheBestPose) {
     KnownView view(furnished_room());
     const ScanMatch found = view.matcher.evaluate(view.grid, view.match_points, view.pose);
-    EXPECT_EQ(CoarseFineSearch({}).correct(view.context(view.pose, view.pose), found, {1.0}).pose, view.pose);
+    EXPECT_EQ(CoarseFineSearch({}).correct(view.context_of_degree(1.0, view.pose), found).pose, view.pose);
 }
 
 }  // namespace

@@ -27,7 +27,7 @@ TEST(NormalScatter, TurnsWithTheRobot) {
 TEST(CorrelativeSearch, FindsThePoseInARoom) {
     KnownView view(furnished_room());
     const Pose2 odometry = view.pose * Pose2{0.1, -0.12, 0.06};
-    const ScanMatch found = CorrelativeSearch({}).correct(view.context(odometry, odometry), {}, {});
+    const ScanMatch found = CorrelativeSearch({}).correct(view.context(odometry, odometry), {});
     EXPECT_LT(distance_m(found.pose, view.pose), 0.02);
     EXPECT_NEAR(found.pose.theta_rad, view.pose.theta_rad, 0.005);
 }
@@ -35,7 +35,7 @@ TEST(CorrelativeSearch, FindsThePoseInARoom) {
 TEST(CorrelativeSearch, KeepsTheOdometryAlongACorridor) {
     KnownView view(long_corridor(), 8.0);
     const Pose2 odometry = view.pose * Pose2{0.1, -0.12, 0.03};
-    const ScanMatch found = CorrelativeSearch({}).correct(view.context(odometry, odometry), {}, {});
+    const ScanMatch found = CorrelativeSearch({}).correct(view.context(odometry, odometry), {});
     EXPECT_NEAR(found.pose.x_m, odometry.x_m, 0.01);
     EXPECT_NEAR(found.pose.y_m, view.pose.y_m, 0.02);
     EXPECT_NEAR(found.pose.theta_rad, view.pose.theta_rad, 0.005);

@@ -72,7 +72,7 @@ TEST_P(EveryMethod, GoesOnAfterABlindStretch) {
     ThreadPool threads(1);
     const auto filter = make_filter(settings, DetectorTable(), threads);
     for (const SensorFrame& frame : frames) {
-        filter->process(frame);
+        filter->update(frame);
     }
     expect_finite_pose_for_every_scan(filter->trajectory(), frames);
     EXPECT_TRUE(filter->pose_covariance().allFinite());

@@ -21,7 +21,7 @@ std::vector<Descendant> resampled(const std::vector<SnapshotParticle>& particles
     EnhancedResamplingSettings settings;
     settings.perturbation_m = perturbation_m;
     RandomStream random{seed};
-    return EnhancedResampling(settings).resample(particles, {1.0}, random);
+    return EnhancedResampling(settings).resample(particles, random);
 }
 
 TEST(EnhancedResampling, DropsLowWeightsAndFusesTheOthersWithTheirNearest) {

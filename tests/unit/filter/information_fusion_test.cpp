@@ -49,8 +49,9 @@ TEST(InformationFusion, TakesTheWayFromOdometryAndTheRestFromTheWalls) {
     KnownView view(long_corridor(), 8.0);
     const Pose2 odometry = view.pose * Pose2{0.02, 0.005, 0.001};
     const Pose2 sampled = view.pose * Pose2{-0.05, 0.03, 0.01};
-    const ScanMatch fused =
-        InformationFusion({}).correct(view.context(sampled, odometry, 0.01, 0.005), view.match_from(sampled), {1.0});
+    MatchContext context = view.context(sampled, odometry, 0.01, 0.005);
+    context.degeneracy.degree = 1.0;
+    const ScanMatch fused = InformationFusion({}).correct(context, view.match_from(sampled));
     EXPECT_NEAR(fused.pose.x_m, odometry.x_m, 0.002);
     EXPECT_NEAR(fused.pose.y_m, view.pose.y_m, 0.002);
     EXPECT_NEAR(fused.pose.theta_rad, view.pose.theta_rad, 0.001);
@@ -62,7 +63,7 @@ TEST(InformationFusion, LeavesTheMatchOfARoom) {
     const ScanMatch match = view.match_from(odometry);
     for (const double degree : {0.0, 1.0}) {
         const Pose2 fused =
-            InformationFusion({}).correct(view.context(odometry, odometry, 0.03, 0.02), match, {degree}).pose;
+            InformationFusion({}).correct(view.context_of_degree(degree, odometry, 0.03, 0.02), match).pose;
         EXPECT_LT(distance_m(fused, match.pose), 0.003) << degree;
     }
 }
@@ -71,7 +72,7 @@ TEST(InformationFusion, WithoutAMatchFollowsTheOdometry) {
     KnownView view(furnished_room());
     const Pose2 odometry{50.0, 50.0, 1.0};  // in the unknown
     const ScanMatch nothing = view.matcher.evaluate(view.grid, view.match_points, odometry * Pose2{0.1, 0.1, 0.1});
-    const ScanMatch fused = InformationFusion({}).correct(view.context(nothing.pose, odometry), nothing, {0.0});
+    const ScanMatch fused = InformationFusion({}).correct(view.context(nothing.pose, odometry), nothing);
     EXPECT_EQ(fused.pose, odometry);
 }
 
@@ -83,8 +84,8 @@ TEST(InformationFusion, DoubtsOdometryThatTheScanContradicts) {
     const auto error_m = [&](double most_deviations) {
         FusionSettings settings;
         settings.most_deviations = most_deviations;
-        const MatchContext context = view.context(slipped, slipped, 0.002);
-        return distance_m(InformationFusion(settings).correct(context, match, {1.0}).pose, view.pose);
+        const MatchContext context = view.context_of_degree(1.0, slipped, 0.002);
+        return distance_m(InformationFusion(settings).correct(context, match).pose, view.pose);
     };
     EXPECT_LT(error_m(3.0), 0.8 * error_m(1e6));
     EXPECT_LT(error_m(1.0), 0.5 * error_m(3.0));

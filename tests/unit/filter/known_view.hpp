@@ -18,7 +18,21 @@ struct KnownView {
                          double odometry_sd_rad = 0.0005) {
         Eigen::Vector3d information(odometry_sd_m, odometry_sd_m, odometry_sd_rad);
         information = information.cwiseAbs2().cwiseInverse();
-        return {matcher, grid, match_points, predicted, prior, odometry, information.asDiagonal(), 0.1};
+        return {.matcher = matcher,
+                .grid = grid,
+                .points = match_points,
+                .predicted = predicted,
+                .prior = prior,
+                .odometry = odometry,
+                .odometry_information = information.asDiagonal(),
+                .degeneracy = {}};
+    }
+    /// Where the particle was sampled at the odometry's pose, in a swarm of that degree.
+    MatchContext context_of_degree(double degree, const Pose2& odometry, double odometry_sd_m = 0.003,
+                                   double odometry_sd_rad = 0.0005) {
+        MatchContext result = context(odometry, odometry, odometry_sd_m, odometry_sd_rad);
+        result.degeneracy.degree = degree;
+        return result;
     }
     ScanMatch match_from(const Pose2& predicted) { return matcher.match(grid, match_points, predicted, prior); }
 

@@ -20,7 +20,7 @@ TEST(LidarScoreTrust, FollowsTheOdometryOnlyWhereItFitsAboutAsWellAndTheScanIsDi
     const Pose2 along = corridor.pose * Pose2{0.1, 0.0, 0.0};
     const ScanMatch match = corridor.matcher.evaluate(corridor.grid, corridor.match_points, corridor.pose);
     const auto trusted = [&](const Pose2& odometry, double degree) {
-        return LidarScoreTrust().correct(corridor.context(odometry, odometry), match, {degree}).pose;
+        return LidarScoreTrust().correct(corridor.context_of_degree(degree, odometry), match).pose;
     };
     EXPECT_EQ(trusted(along, 0.0), corridor.pose);
     EXPECT_EQ(trusted(along, 1.0), along);
@@ -31,8 +31,7 @@ TEST(LidarScoreTrust, FollowsTheOdometryOnlyWhereItFitsAboutAsWellAndTheScanIsDi
 TEST(OdometryTrust, ForgetsTheMatch) {
     KnownView view(furnished_room());
     const Pose2 odometry = view.pose * Pose2{0.3, 0.1, 0.2};
-    const ScanMatch result =
-        OdometryTrust().correct(view.context(odometry, odometry), view.match_from(view.pose), {0.0});
+    const ScanMatch result = OdometryTrust().correct(view.context(odometry, odometry), view.match_from(view.pose));
     EXPECT_EQ(result.pose, odometry);
     EXPECT_TRUE(result.information.isZero());
 }
@@ -43,7 +42,7 @@ TEST(EigenvalueGate, FallsBackToOdometryInACorridorOnly) {
     for (KnownView* view : {&corridor, &square}) {
         const Pose2 odometry = view->pose * Pose2{0.02, 0.01, 0.0};
         const ScanMatch match = view->match_from(view->pose);
-        const Pose2 result = EigenvalueGate({}).correct(view->context(odometry, odometry), match, {}).pose;
+        const Pose2 result = EigenvalueGate({}).correct(view->context(odometry, odometry), match).pose;
         EXPECT_EQ(result, view == &corridor ? odometry : match.pose);
     }
 }

@@ -16,15 +16,25 @@ void expect_near(const Pose2& a, const Pose2& b) {
     EXPECT_NEAR(wrap_angle(a.theta_rad - b.theta_rad), 0.0, 1e-9);
 }
 
+std::vector<Update> updates_of(const RbpfSettings& settings, const FilterStrategies& strategies = {}) {
+    std::vector<Update> updates;
+    ThreadPool threads(2);
+    Rbpf filter(settings, threads, strategies);
+    for (const SensorFrame& frame : room_drive()) {
+        if (auto update = filter.update(frame)) {
+            updates.push_back(std::move(*update));
+        }
+    }
+    return updates;
+}
+
+/// Of the updates that moved the robot.
 std::vector<ParticleSnapshot> snapshots_of(const RbpfSettings& settings) {
     std::vector<ParticleSnapshot> snapshots;
-    ThreadPool threads(2);
-    Rbpf filter(settings, threads);
-    filter.on_snapshot([&](const ParticleSnapshot& swarm, const Degeneracy&) { snapshots.push_back(swarm); });
-    for (const SensorFrame& frame : room_drive()) {
-        filter.process(frame);
+    for (Update& update : updates_of(settings)) {
+        snapshots.push_back(std::move(update.matched));
     }
-    EXPECT_EQ(snapshots.size() + 1, filter.updates());
+    snapshots.erase(snapshots.begin());
     return snapshots;
 }
 
@@ -104,10 +114,7 @@ TEST(Detector, AloneChangesNothing) {
 
 class KeepMatch : public PoseCorrection {
 public:
-    ScanMatch correct(const MatchContext& /*context*/, const ScanMatch& found,
-                      const Degeneracy& /*degeneracy*/) const override {
-        return found;
-    }
+    ScanMatch correct(const MatchContext& /*context*/, const ScanMatch& found) const override { return found; }
 };
 
 TEST(Correction, ThatKeepsTheMatchChangesNothing) {
@@ -123,9 +130,8 @@ TEST(Correction, ThatKeepsTheMatchChangesNothing) {
 /// Believes odometry, whatever was matched.
 class TrustOdometry : public PoseCorrection {
 public:
-    ScanMatch correct(const MatchContext& context, const ScanMatch& found,
-                      const Degeneracy& degeneracy) const override {
-        EXPECT_EQ(degeneracy.degree, 0.25);
+    ScanMatch correct(const MatchContext& context, const ScanMatch& found) const override {
+        EXPECT_EQ(context.degeneracy.degree, 0.25);
         EXPECT_GT(context.points.beams, 0U);
         ScanMatch match = found;
         match.pose = context.odometry;
@@ -138,6 +144,43 @@ FilterStrategies trusting_odometry() {
     strategies.detector = [](const ParticleSnapshot&) { return Degeneracy{0.25}; };
     strategies.corrections = {std::make_shared<KeepMatch>(), std::make_shared<TrustOdometry>()};
     return strategies;
+}
+
+TEST(Update, OfTheFirstScanIsOneLikeAnyOther) {
+    const Update first = updates_of(few_particles()).front();
+    const Pose2 start = room_drive().front().odom_from_robot;
+    EXPECT_EQ(first.matched.update, 0U);
+    EXPECT_EQ(first.matched.stamp_ns, room_drive().front().scan.stamp_ns);
+    EXPECT_EQ(first.degeneracy.degree, 0.0);
+    EXPECT_EQ(first.pose, start);
+    EXPECT_FALSE(first.resampled);
+    ASSERT_EQ(first.matched.particles.size(), few_particles().particles);
+    for (const SnapshotParticle& particle : first.matched.particles) {
+        EXPECT_EQ(particle.pose, start);
+        EXPECT_EQ(particle.matched_motion, Pose2{});
+        EXPECT_DOUBLE_EQ(particle.weight, 1.0 / static_cast<double>(few_particles().particles));
+    }
+}
+
+TEST(Update, IsEmptyWhereTheRobotHasHardlyMoved) {
+    ThreadPool threads(1);
+    Rbpf filter(few_particles(), threads);
+    EXPECT_TRUE(filter.update(room_drive().front()));
+    EXPECT_FALSE(filter.update(room_drive().front()));
+}
+
+TEST(Update, HasTheSwarmAsMatchedAndAsCorrected) {
+    for (const Update& update : updates_of(few_particles())) {
+        for (std::size_t p = 0; p < update.matched.particles.size(); ++p) {
+            EXPECT_EQ(update.corrected.particles[p].pose, update.matched.particles[p].pose);
+        }
+    }
+    double apart_m = 0.0;
+    for (const Update& update : updates_of(few_particles(), trusting_odometry())) {
+        EXPECT_EQ(update.degeneracy.degree, update.matched.update > 0 ? 0.25 : 0.0);
+        apart_m += distance_m(update.corrected.particles[0].pose, update.matched.particles[0].pose);
+    }
+    EXPECT_GT(apart_m, 0.01);
 }
 
 TEST(Correction, PutsTheParticleWhereItSays) {
@@ -164,14 +207,19 @@ public:
 };
 
 TEST(Odometry, LearnsFromThePastOfTheParticleBelievedNow) {
-    const auto odometry = std::make_shared<WatchesThePast>();
+    WatchesThePast* odometry = nullptr;  // the filter's own
     FilterStrategies strategies;
-    strategies.odometry = odometry;
+    strategies.odometry = [&] {
+        auto made = std::make_unique<WatchesThePast>();
+        odometry = made.get();
+        return made;
+    };
     ThreadPool threads(1);
     Rbpf filter(resampling_below(never), threads, strategies);
     for (const SensorFrame& frame : room_drive()) {
-        if (filter.process(frame) && filter.updates() > 1) {
-            EXPECT_EQ(odometry->path.back(), filter.best().pose);
+        const std::optional<Update> update = filter.update(frame);
+        if (update && update->matched.update > 0) {
+            EXPECT_EQ(odometry->path.back(), update->pose);
         }
     }
     std::vector<Pose2> updates;
@@ -190,9 +238,8 @@ TEST(Odometry, LearnsFromThePastOfTheParticleBelievedNow) {
 /// Puts copies of the second particle beside each other.
 class SecondOnly : public Resampling {
 public:
-    std::vector<Descendant> resample(std::span<const SnapshotParticle> particles, const Degeneracy& degeneracy,
+    std::vector<Descendant> resample(std::span<const SnapshotParticle> particles,
                                      RandomStream& /*random*/) const override {
-        EXPECT_EQ(degeneracy.degree, 0.5);
         double weight = 0.0;
         std::vector<Descendant> next;
         for (const SnapshotParticle& particle : particles) {
@@ -206,30 +253,29 @@ public:
 
 TEST(Resampling, MakesTheNextGenerationAsItSays) {
     FilterStrategies strategies;
-    strategies.detector = [](const ParticleSnapshot&) { return Degeneracy{0.5}; };
     strategies.resampling = std::make_shared<SecondOnly>();
     ThreadPool threads(1);
     Rbpf filter(resampling_below(always), threads, strategies);
-    Pose2 second;
-    filter.on_snapshot([&](const ParticleSnapshot& swarm, const Degeneracy&) { second = swarm.particles[1].pose; });
+    std::size_t resampled = 0;
     for (const SensorFrame& frame : room_drive()) {
-        if (filter.process(frame) && filter.updates() > 1) {
+        const std::optional<Update> update = filter.update(frame);
+        if (update && update->matched.update > 0) {
+            EXPECT_TRUE(update->resampled);
+            ++resampled;
+            const Pose2 second = update->corrected.particles[1].pose;
             for (std::size_t p = 0; p < filter.particles().size(); ++p) {
                 expect_near(filter.particles()[p].pose, second * Pose2{1e-3 * static_cast<double>(p), 0.0, 0.0});
                 EXPECT_EQ(filter.particles()[p].log_likelihood, 0.0);
             }
         }
     }
-    EXPECT_EQ(filter.resamplings() + 1, filter.updates());
+    EXPECT_GT(resampled, 10U);
 }
 
 TEST(Resampling, IsLeftOutWhileTheSwarmIsRich) {
-    ThreadPool threads(1);
-    Rbpf filter(resampling_below(never), threads);
-    for (const SensorFrame& frame : room_drive()) {
-        filter.process(frame);
+    for (const Update& update : updates_of(resampling_below(never))) {
+        EXPECT_FALSE(update.resampled);
     }
-    EXPECT_EQ(filter.resamplings(), 0U);
 }
 
 TEST(PoseCovariance, GrowsWithTheOdometrySinceTheLastUpdate) {
@@ -241,16 +287,16 @@ TEST(PoseCovariance, GrowsWithTheOdometrySinceTheLastUpdate) {
     int between = 0;
     double before_m2 = 0.0;
     for (const SensorFrame& frame : room_drive()) {
-        const bool moved = filter.process(frame);
+        const std::optional<Update> update = filter.update(frame);
         const Eigen::Matrix3d covariance = filter.pose_covariance();
         const double spread_m2 = covariance(0, 0) + covariance(1, 1);
         EXPECT_GE(covariance.selfadjointView<Eigen::Lower>().eigenvalues().minCoeff(), -1e-12);
         EXPECT_NEAR((covariance - covariance.transpose()).norm(), 0.0, 1e-12);
-        if (!moved) {
+        if (!update) {
             EXPECT_GE(spread_m2, before_m2);
             ++between;
-        } else if (filter.updates() > 1) {
-            EXPECT_NEAR((covariance - filter.last_report().covariance).norm(), 0.0, 1e-12);
+        } else {
+            EXPECT_NEAR((covariance - update->covariance).norm(), 0.0, 1e-12);
         }
         before_m2 = spread_m2;
     }

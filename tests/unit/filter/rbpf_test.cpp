@@ -83,10 +83,9 @@ TEST(Rbpf, ThatNeverMovesKeepsItsPlace) {
     ThreadPool threads(1);
     Rbpf filter(few_particles(), threads);
     for (std::size_t i = 0; i < frames.size(); ++i) {
-        EXPECT_EQ(filter.process(frames[i]), i == 0);
+        EXPECT_EQ(filter.update(frames[i]).has_value(), i == 0);
         EXPECT_EQ(filter.pose(), frames.front().odom_from_robot);
     }
-    EXPECT_EQ(filter.updates(), 1U);
     expect_finite_pose_for_every_scan(filter.trajectory(), frames);
 }
 
@@ -117,7 +116,7 @@ TEST(Rbpf, TrajectoryEndsAtThePresentPose) {
     ThreadPool threads(1);
     Rbpf filter(few_particles(), threads);
     for (const SensorFrame& frame : room_drive()) {
-        filter.process(frame);
+        filter.update(frame);
         ASSERT_LT(distance_m(filter.trajectory().back().pose, filter.pose()), 1e-12);
     }
 }
@@ -141,7 +140,7 @@ TEST(Rbpf, ThePastThatAllParticlesShareStaysAsItWas) {
     Rbpf filter(settings, threads);
     std::vector<Pose2> before;
     for (std::size_t i = 0; i < frames.size(); ++i) {
-        filter.process(frames[i]);
+        filter.update(frames[i]);
         if (i == 2'040) {
             before = poses_of(filter.trajectory());
         }

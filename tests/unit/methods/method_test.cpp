@@ -22,7 +22,7 @@ Trajectory run(const FilterSettings& settings, std::size_t threads = 1) {
     ThreadPool pool(threads);
     const auto filter = make_filter(settings, DetectorTable(), pool);
     for (const SensorFrame& frame : room_drive()) {
-        filter->process(frame);
+        filter->update(frame);
     }
     return filter->trajectory();
 }

@@ -1,5 +1,5 @@
 // How close images of one distribution are when it is drawn with different numbers of particles. Prints the figures of
-// docs/imaging.md.
+// docs/reports/2026-11-22-particle-images.md.
 
 #include <gtest/gtest.h>
 

@@ -4,6 +4,7 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <span>
 #include <sstream>
 
 #include "small_run.hpp"
@@ -13,12 +14,12 @@
 namespace ddtool {
 namespace {
 
-std::vector<UpdateReport> reports_of_a_run() {
+std::vector<UpdateSummary> reports_of_a_run() {
     test::SmallRun small;
-    std::vector<UpdateReport> reports;
-    small.run([&](const SensorFrame&, bool moved) {
-        if (moved && small.filter().updates() > 1) {
-            reports.push_back(small.filter().last_report());
+    std::vector<UpdateSummary> reports;
+    small.run([&](const SensorFrame&, const std::optional<Update>& update) {
+        if (update) {
+            reports.push_back(summary_of(*update));
         }
         return true;
     });
@@ -42,11 +43,11 @@ std::vector<std::vector<double>> rows_of(const std::string& csv, std::size_t& co
 }
 
 TEST(DegeneracyCsv, HasARowAnUpdateAndAllColumns) {
-    const std::vector<UpdateReport> reports = reports_of_a_run();
+    const std::vector<UpdateSummary> reports = reports_of_a_run();
     ASSERT_GT(reports.size(), 20U);
     const test::TemporaryFolder folder;
     DegeneracyCsv csv(folder / "degeneracy.csv");
-    std::for_each(reports.begin(), reports.end(), [&](const UpdateReport& report) { csv.add(report); });
+    std::for_each(reports.begin(), reports.end(), [&](const UpdateSummary& report) { csv.add(report); });
     EXPECT_FALSE(std::filesystem::exists(folder / "degeneracy.csv"));
     csv.close();
     std::size_t columns = 0;
@@ -59,8 +60,10 @@ TEST(DegeneracyCsv, HasARowAnUpdateAndAllColumns) {
     }
 }
 
-TEST(UpdateReport, CovarianceIsOneAndSmallInARoom) {
-    for (const UpdateReport& report : reports_of_a_run()) {
+TEST(UpdateSummary, CovarianceIsOneAndSmallInARoom) {
+    const std::vector<UpdateSummary> reports = reports_of_a_run();
+    EXPECT_EQ(reports.front().covariance.norm(), 0.0) << "the map begins where the robot is";
+    for (const UpdateSummary& report : std::span(reports).subspan(1)) {
         const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(report.covariance);
         EXPECT_GT(axes.eigenvalues()(0), 0.0);
         EXPECT_LT(std::sqrt(report.covariance(0, 0) + report.covariance(1, 1)), 0.1);
@@ -71,7 +74,7 @@ TEST(UpdateReport, CovarianceIsOneAndSmallInARoom) {
 TEST(DegeneracyPicture, IsDrawnOfAnyRun) {
     const test::TemporaryFolder folder;
     write_degeneracy_picture(folder / "none.png", {}, map_raster(OccupancyGrid(OccupancySettings{})), {});
-    UpdateReport report;
+    UpdateSummary report;
     report.stamp_ns = 5;
     write_degeneracy_picture(folder / "one.png", {report}, map_raster(OccupancyGrid(OccupancySettings{})), {{5, {}}});
     EXPECT_GT(std::filesystem::file_size(folder / "none.png"), 100U);

@@ -15,11 +15,9 @@ namespace {
 struct ShownRun {
     explicit ShownRun(bool with_truth = true, RunCourse empty_course = RunCourse()) : course(std::move(empty_course)) {
         test::SmallRun small;
-        small.filter().on_snapshot(
-            [&](const ParticleSnapshot& swarm, const Degeneracy& degeneracy) { course.see(swarm, degeneracy); });
-        run = small.run([&](const SensorFrame&, bool moved) {
-            if (moved) {
-                course.add(small.filter());
+        run = small.run([&](const SensorFrame&, const std::optional<Update>& update) {
+            if (update) {
+                course.add(*update, summary_of(*update));
             }
             return true;
         });
@@ -42,25 +40,23 @@ struct ShownRun {
     RunExplorer explorer;
 };
 
-TEST(RunCourse, HasALineForEveryUpdateButTheFirst) {
+TEST(RunCourse, HasALineForEveryUpdate) {
     const ShownRun shown;
-    EXPECT_EQ(shown.course.updates().size(), shown.run.updates - 1);
-    EXPECT_EQ(shown.course.step_s().size(), shown.course.updates().size());
-    EXPECT_THAT(shown.course.step_s(), testing::Each(testing::Gt(0.0)));
-    EXPECT_THAT(shown.course.effective_sizes(), testing::Each(testing::AllOf(testing::Ge(1.0), testing::Le(3.001))));
-    EXPECT_EQ(shown.course.effective_sizes().size(), shown.course.updates().size());
+    EXPECT_EQ(shown.course.updates().size(), shown.run.updates);
+    for (const UpdateSummary& update : shown.course.updates()) {
+        EXPECT_GT(update.step_s, 0.0);
+        EXPECT_THAT(update.effective_size, testing::AllOf(testing::Ge(1.0), testing::Le(3.001)));
+    }
 }
 
 TEST(RunCourse, OfALongRunKeepsEveryFewUpdatesAndWhetherThereWasResampling) {
     constexpr std::size_t most = 8;
-    const std::vector<UpdateReport> all = ShownRun().course.updates();
+    const std::vector<UpdateSummary> all = ShownRun().course.updates();
     const ShownRun shown(true, RunCourse(most));
-    const std::vector<UpdateReport>& kept = shown.course.updates();
+    const std::vector<UpdateSummary>& kept = shown.course.updates();
     ASSERT_GT(all.size(), 2 * most);
     EXPECT_THAT(kept.size(), testing::AllOf(testing::Gt(most / 2), testing::Le(most)));
     const std::size_t every = (all.size() + kept.size() - 1) / kept.size();
-    EXPECT_EQ(shown.course.effective_sizes().size(), kept.size());
-    EXPECT_EQ(shown.course.step_s().size(), kept.size());
     for (std::size_t row = 0; row < kept.size(); ++row) {
         const auto first = all.begin() + static_cast<std::ptrdiff_t>(row * every);
         const auto last = all.end() - first > static_cast<std::ptrdiff_t>(every)
@@ -68,7 +64,7 @@ TEST(RunCourse, OfALongRunKeepsEveryFewUpdatesAndWhetherThereWasResampling) {
                               : all.end();
         EXPECT_EQ(kept[row].stamp_ns, first->stamp_ns);
         EXPECT_EQ(kept[row].resampled,
-                  std::any_of(first, last, [](const UpdateReport& update) { return update.resampled; }));
+                  std::any_of(first, last, [](const UpdateSummary& update) { return update.resampled; }));
     }
 }
 

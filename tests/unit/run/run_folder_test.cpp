@@ -25,9 +25,8 @@ std::set<std::string> names_in(const std::filesystem::path& folder) {
 FilterRun write_run(const std::filesystem::path& place, bool with_snapshots, bool with_truth = true) {
     test::SmallRun small;
     RunFolder folder(place, with_snapshots);
-    folder.watch(small.filter());
-    FilterRun run = small.run([&](const SensorFrame& frame, bool moved) {
-        folder.add(frame, small.filter(), moved);
+    FilterRun run = small.run([&](const SensorFrame& frame, const std::optional<Update>& update) {
+        folder.add(frame, update, small.filter());
         return true;
     });
     if (!with_truth) {
@@ -58,7 +57,10 @@ TEST(RunFolder, KeepsTheEarlierRunWhenThisOneFails) {
     {
         test::SmallRun small;
         RunFolder again(folder / "out", true);
-        again.add({}, (small.run([](const SensorFrame&, bool) { return false; }), small.filter()), true);
+        small.run([&](const SensorFrame& frame, const std::optional<Update>& update) {
+            again.add(frame, update, small.filter());
+            return false;
+        });
     }
     EXPECT_EQ(names_in(folder / "out"), before);
     EXPECT_EQ(read_file(folder / "out/result.mcap"), log);
@@ -73,8 +75,8 @@ TEST(RunFolder, IsNamedWhereItCannotBeMade) {
 TEST(RunReport, CountsAndScores) {
     test::SmallRun small;
     std::size_t scans = 0;
-    const FilterRun run = small.run([&](const SensorFrame&, bool) { return ++scans > 0; });
-    const Json report = run_report(run, map_raster(run.map));
+    const FilterRun run = small.run([&](const SensorFrame&, const std::optional<Update>&) { return ++scans > 0; });
+    const Json report = to_run_json(run_report(run, map_raster(run.map), {}, 0.0));
     EXPECT_EQ(report.at("scans"), scans);
     EXPECT_NEAR(report.at("path_m"), 6.0, 0.6);
     EXPECT_NEAR(report.at("map").at("width_m"), 6.0, 0.3);
@@ -83,16 +85,16 @@ TEST(RunReport, CountsAndScores) {
 }
 
 TEST(RunReport, TellsHowLongStepsTook) {
-    EXPECT_TRUE(step_time_report({}).is_null());
+    EXPECT_TRUE(to_run_json({}).at("step_ms").is_null());
     test::SmallRun small;
     RunCourse course;
-    small.run([&](const SensorFrame&, bool moved) {
-        if (moved) {
-            course.add(small.filter());
+    const FilterRun run = small.run([&](const SensorFrame&, const std::optional<Update>& update) {
+        if (update) {
+            course.add(*update, summary_of(*update));
         }
         return true;
     });
-    const Json steps = step_time_report(course);
+    const Json steps = to_run_json(run_report(run, map_raster(run.map), course, 0.0)).at("step_ms");
     EXPECT_GT(steps.at("median"), 0.0);
     EXPECT_GE(steps.at("p99"), steps.at("median"));
     EXPECT_GE(steps.at("most"), steps.at("p99"));
@@ -101,7 +103,7 @@ TEST(RunReport, TellsHowLongStepsTook) {
 TEST(RunReport, HasNoErrorsWithoutTheTruth) {
     FilterRun run;
     run.trajectory = {{0, {}}};
-    EXPECT_FALSE(run_report(run, map_raster(run.map)).contains("errors"));
+    EXPECT_FALSE(to_run_json(run_report(run, map_raster(run.map), {}, 0.0)).contains("errors"));
 }
 
 }  // namespace

@@ -52,11 +52,13 @@ std::vector<RecordedSnapshot> record(const std::filesystem::path& file) {
     std::vector<RecordedSnapshot> given;
     SnapshotWriter writer(file);
     test::SmallRun small;
-    small.filter().on_snapshot([&](const ParticleSnapshot& snapshot, const Degeneracy& degeneracy) {
-        given.push_back({snapshot, {degeneracy.degree + 0.125}});
-        writer.write(given.back().snapshot, given.back().degeneracy);
+    small.run([&](const SensorFrame&, const std::optional<Update>& update) {
+        if (update) {
+            given.push_back({update->matched, {update->degeneracy.degree + 0.125}});
+            writer.write(given.back().snapshot, given.back().degeneracy);
+        }
+        return true;
     });
-    small.run([](const SensorFrame&, bool) { return true; });
     writer.close();
     return given;
 }

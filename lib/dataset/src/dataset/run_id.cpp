@@ -2,6 +2,7 @@
 
 #include "ddtool/filter/information_fusion.hpp"
 #include "ddtool/filter/learnt_odometry.hpp"
+#include "ddtool/filter/scan_matcher.hpp"
 #include "ddtool/robot/scan_points.hpp"
 #include "system/fingerprint.hpp"
 
@@ -45,7 +46,7 @@ Json identity_of_filter(Json filter) {
     filter["fusion"] =
         with_behind(filter.at("fusion"), "least_degree", "normal_error_rad", InformationFusion::normal_error_rad);
     filter["odometry_learning"] = odometry_learning_json();
-    return filter;
+    return with_behind(filter, "likelihood_gain", "min_match_score", ScanMatch::least_score);
 }
 
 }  // namespace

@@ -61,6 +61,13 @@ double median_range_m(const LaserScan& scan) {
     return ranges_m.empty() ? 0.0 : median(ranges_m);
 }
 
+/// A swarm that has not moved yet, as at the start of a map, tells nothing of what a scan leaves open.
+void offer_moved(SnapshotThinning& thinning, const ParticleSnapshot& swarm, const std::function<Sample()>& make) {
+    if (swarm.odometry_motion != Pose2{}) {
+        thinning.offer(make);
+    }
+}
+
 /// A filter whose snapshots become samples.
 class Recorder {
 public:
@@ -69,22 +76,24 @@ public:
           filter_(make_filter(filter_settings_from_json(run.configuration.at("filter")), DetectorTable(), threads_)) {}
 
     void process(const SensorFrame& frame, const Knowledge& knowledge) {
-        filter_->on_snapshot([&](const ParticleSnapshot& snapshot, const Degeneracy& /*degeneracy*/) {
-            thinning_.offer([&] {
-                Sample sample = sample_of(snapshot);
-                const auto [matrix, range_sd_m] = knowledge();
-                sample.record.information = {matrix(0, 0), matrix(0, 1), matrix(0, 2),
-                                             matrix(1, 1), matrix(1, 2), matrix(2, 2)};
-                sample.record.range_sd_m = range_sd_m;
-                sample.record.true_pose = frame.world_from_robot.value_or(sample.record.true_pose);
-                return sample;
-            });
-        });
-        filter_->process(frame);
         ++scans_;
+        const std::optional<Update> update = filter_->update(frame);
+        if (!update) {
+            return;
+        }
+        ++updates_;
+        offer_moved(thinning_, update->matched, [&] {
+            Sample sample = sample_of(update->matched);
+            const auto [matrix, range_sd_m] = knowledge();
+            sample.record.information = {matrix(0, 0), matrix(0, 1), matrix(0, 2),
+                                         matrix(1, 1), matrix(1, 2), matrix(2, 2)};
+            sample.record.range_sd_m = range_sd_m;
+            sample.record.true_pose = frame.world_from_robot.value_or(sample.record.true_pose);
+            return sample;
+        });
     }
 
-    [[nodiscard]] std::uint64_t updates() const { return filter_->updates(); }
+    [[nodiscard]] std::uint64_t updates() const { return updates_; }
 
     SnapshotRun finish() { return {thinning_.take(), scans_, thinning_.offered(), 0}; }
 
@@ -93,6 +102,7 @@ private:
     ThreadPool threads_{1};  // many runs at once instead
     std::unique_ptr<Rbpf> filter_;
     std::uint64_t scans_ = 0;
+    std::uint64_t updates_ = 0;
 };
 
 SnapshotRun filter_world(const PlannedRun& run, const OnProgress& on_progress) {
@@ -136,7 +146,7 @@ SnapshotRun read_recorded(const PlannedRun& run, const OnProgress& on_progress) 
     SnapshotReader reader(run.input, [&](const LogProblem&) { ++made.log_problems; });
     SnapshotThinning thinning = thinning_of(run);
     while (const std::optional<RecordedSnapshot> recorded = reader.next()) {
-        thinning.offer([&] { return sample_of(recorded->snapshot); });
+        offer_moved(thinning, recorded->snapshot, [&] { return sample_of(recorded->snapshot); });
         on_progress(reader.fraction_read());
     }
     made.snapshots = thinning.offered();

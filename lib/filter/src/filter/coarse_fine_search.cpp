@@ -51,10 +51,9 @@ std::size_t search_count(double degree) {
     return 1 + static_cast<std::size_t>(std::floor(std::clamp(degree, 0.0, 1.0) / 0.25));
 }
 
-ScanMatch CoarseFineSearch::correct(const MatchContext& context, const ScanMatch& found,
-                                    const Degeneracy& degeneracy) const {
+ScanMatch CoarseFineSearch::correct(const MatchContext& context, const ScanMatch& found) const {
     Climb climb(context, found.pose);
-    for (std::size_t pair = 0; pair < search_count(degeneracy.degree); ++pair) {
+    for (std::size_t pair = 0; pair < search_count(context.degeneracy.degree); ++pair) {
         climb.step(settings_.step_m, settings_.turn_rad);
         climb.step(settings_.step_m / 2.0, settings_.turn_rad / 2.0);
     }

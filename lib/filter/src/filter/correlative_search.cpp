@@ -53,8 +53,7 @@ Eigen::Matrix2d normal_scatter(const MatchPoints& points, double theta_rad) {
     return total > 0.0 ? Eigen::Matrix2d(turn * scatter * turn.transpose() / total) : scatter;
 }
 
-ScanMatch CorrelativeSearch::correct(const MatchContext& context, const ScanMatch& /*found*/,
-                                     const Degeneracy& /*degeneracy*/) const {
+ScanMatch CorrelativeSearch::correct(const MatchContext& context, const ScanMatch& /*found*/) const {
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> components(
         normal_scatter(context.points, context.odometry.theta_rad));
     const bool degenerate = components.eigenvalues()(0) <= settings_.degenerate_share * components.eigenvalues()(1);

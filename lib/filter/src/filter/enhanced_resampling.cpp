@@ -37,7 +37,7 @@ Pose2 nearest_other(std::span<const SnapshotParticle> particles, const std::vect
 }  // namespace
 
 std::vector<Descendant> EnhancedResampling::resample(std::span<const SnapshotParticle> particles,
-                                                     const Degeneracy& /*degeneracy*/, RandomStream& random) const {
+                                                     RandomStream& random) const {
     const auto count = static_cast<double>(particles.size());
     const std::vector<double> kept = kept_weights(weights_of(particles), settings_.drop_below / count);
     std::vector<Descendant> descendants;

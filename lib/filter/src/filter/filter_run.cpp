@@ -5,23 +5,23 @@
 namespace ddtool {
 namespace {
 
-std::optional<SensorFrame> timed_next(SensorStream& stream, double& seconds) {
-    const StageTimer timer(seconds);
-    return stream.next();
-}
-
 void feed(SensorStream& stream, Rbpf& filter, const FrameObserver& observe, FilterRun& run) {
     bool wanted = true;
     while (wanted) {
-        const std::optional<SensorFrame> frame = timed_next(stream, run.read_s);
+        const std::optional<SensorFrame> frame = timed(run.read_s, [&] { return stream.next(); });
         if (!frame) {
             break;
         }
-        const bool moved = filter.process(*frame);
+        const std::optional<Update> update = filter.update(*frame);
+        if (update) {
+            ++run.updates;
+            run.resamplings += update->resampled ? 1 : 0;
+            run.times += update->times;
+        }
         if (frame->world_from_robot) {
             run.ground_truth.push_back({frame->scan.stamp_ns, *frame->world_from_robot});
         }
-        wanted = observe(*frame, moved);
+        wanted = observe(*frame, update);
     }
 }
 
@@ -32,18 +32,15 @@ FilterRun run_filter(SensorStream& stream, Rbpf& filter, const FrameObserver& ob
     try {
         feed(stream, filter, observe, run);
     } catch (const MapTooLarge& reason) {
-        if (filter.updates() == 0) {
+        if (run.updates == 0) {
             throw;
         }
         run.ended_early = reason.what();
     }
-    if (!filter.particles().empty()) {
+    if (run.updates > 0) {
         run.map = filter.best().grid;
     }
     run.trajectory = filter.trajectory();
-    run.updates = filter.updates();
-    run.resamplings = filter.resamplings();
-    run.times = filter.times();
     return run;
 }
 

@@ -49,17 +49,16 @@ Eigen::Matrix3d credible_information(const Eigen::Matrix3d& match_information,
     return basis * ratios.asDiagonal() * basis.transpose();
 }
 
-ScanMatch InformationFusion::correct(const MatchContext& context, const ScanMatch& found,
-                                     const Degeneracy& degeneracy) const {
-    const bool matched = found.score >= context.min_match_score;
-    if (matched && degeneracy.degree < settings_.least_degree) {
+ScanMatch InformationFusion::correct(const MatchContext& context, const ScanMatch& found) const {
+    const bool matched = found.accepted();
+    if (matched && context.degeneracy.degree < settings_.least_degree) {
         return found;
     }
     Eigen::Matrix3d match = Eigen::Matrix3d::Zero();
     Eigen::Vector3d apart = Eigen::Vector3d::Zero();
     Eigen::Matrix3d odometry = context.odometry_information;
     if (matched) {
-        match = credible_information(found.information, odometry, normal_error_rad, degeneracy.degree);
+        match = credible_information(found.information, odometry, normal_error_rad, context.degeneracy.degree);
         apart = match_offset(context, found);
         odometry = cautious(odometry, match, apart, settings_.most_deviations);
     }

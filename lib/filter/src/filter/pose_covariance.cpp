@@ -13,12 +13,19 @@ const Eigen::Vector3d least_noise(2.5e-7, 2.5e-7, 4e-8);
 
 }  // namespace
 
+Eigen::Matrix3d turned_about_z(double theta_rad) {
+    const double c = std::cos(theta_rad);
+    const double s = std::sin(theta_rad);
+    Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
+    rotation.topLeftCorner<2, 2>() << c, -s, s, c;
+    return rotation;
+}
+
 Eigen::Matrix3d predicted_covariance(const Eigen::Matrix3d& covariance, const Pose2& from, const Pose2& motion,
                                      const MotionSigmas& sigmas) {
     const double c = std::cos(from.theta_rad);
     const double s = std::sin(from.theta_rad);
-    Eigen::Matrix3d to_world = Eigen::Matrix3d::Identity();
-    to_world.topLeftCorner<2, 2>() << c, -s, s, c;
+    const Eigen::Matrix3d to_world = turned_about_z(from.theta_rad);
     Eigen::Matrix3d carried = Eigen::Matrix3d::Identity();
     carried(0, 2) = -s * motion.x_m - c * motion.y_m;
     carried(1, 2) = c * motion.x_m - s * motion.y_m;
@@ -28,6 +35,16 @@ Eigen::Matrix3d predicted_covariance(const Eigen::Matrix3d& covariance, const Po
 
 Eigen::Matrix3d corrected_covariance(const Eigen::Matrix3d& covariance, const Eigen::Matrix3d& information) {
     return symmetric(covariance * (Eigen::Matrix3d::Identity() + information * covariance).inverse());
+}
+
+Eigen::Matrix3d pose_scatter(const ParticleSnapshot& swarm, const Pose2& centre) {
+    Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();
+    for (const SnapshotParticle& particle : swarm.particles) {
+        const Eigen::Vector3d apart(particle.pose.x_m - centre.x_m, particle.pose.y_m - centre.y_m,
+                                    wrap_angle(particle.pose.theta_rad - centre.theta_rad));
+        scatter += particle.weight * apart * apart.transpose();
+    }
+    return scatter;
 }
 
 }  // namespace ddtool

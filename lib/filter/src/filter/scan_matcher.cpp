@@ -6,6 +6,7 @@
 
 #include "base/lanes.hpp"
 #include "filter/beam_sums.hpp"
+#include "filter/pose_covariance.hpp"
 
 namespace ddtool {
 namespace {
@@ -80,10 +81,7 @@ std::vector<float> padded(const std::vector<float>& values, double scale) {
 }  // namespace
 
 Eigen::Matrix3d information_of(const PosePrior& prior, double theta_rad) {
-    Eigen::Matrix3d world_from_robot = Eigen::Matrix3d::Identity();
-    const double c = std::cos(theta_rad);
-    const double s = std::sin(theta_rad);
-    world_from_robot.topLeftCorner<2, 2>() << c, -s, s, c;
+    const Eigen::Matrix3d world_from_robot = turned_about_z(theta_rad);
     const Eigen::Vector3d sigma(prior.sigma_along_m, prior.sigma_across_m, prior.sigma_turn_rad);
     return world_from_robot * sigma.cwiseAbs2().cwiseInverse().asDiagonal() * world_from_robot.transpose();
 }

@@ -5,7 +5,7 @@
 namespace ddtool {
 
 std::vector<Descendant> SystematicResampling::resample(std::span<const SnapshotParticle> particles,
-                                                       const Degeneracy& /*degeneracy*/, RandomStream& random) const {
+                                                       RandomStream& random) const {
     std::vector<Descendant> descendants;
     for (const std::size_t parent : systematic_resampling(weights_of(particles), random.uniform())) {
         descendants.push_back({parent, particles[parent].pose});

@@ -37,53 +37,53 @@ const Method& method_of(const std::string& name) {
     return *found;
 }
 
-/// A place's choices: a name and what makes the part.
+/// A place's choices: a name and the part.
 template <typename Part>
-using Choices = std::vector<std::pair<std::string, std::function<std::shared_ptr<Part>()>>>;
+using Choices = std::vector<std::pair<std::string, Part>>;
 
 template <typename Part>
 std::vector<std::string> names_of(const Choices<Part>& choices) {
     std::vector<std::string> names;
-    for (const auto& [name, make] : choices) {
+    for (const auto& [name, part] : choices) {
         names.push_back(name);
     }
     return names;
 }
 
 template <typename Part>
-std::shared_ptr<Part> chosen(const Choices<Part>& choices, const std::string& key, const std::string& name) {
-    for (const auto& [known, make] : choices) {
+Part chosen(const Choices<Part>& choices, const std::string& key, const std::string& name) {
+    for (const auto& [known, part] : choices) {
         if (known == name) {
-            return make();
+            return part;
         }
     }
     throw UsageError("filter." + key + ": expected " + joined(names_of(choices)) + ", not '" + name + "'");
 }
 
-using Correction = const PoseCorrection;
+using Correction = std::shared_ptr<const PoseCorrection>;
 
 Choices<Correction> search_choices(const MethodSettings& settings) {
-    return {{"none", [] { return nullptr; }},
-            {"coarse-fine", [&] { return std::make_shared<CoarseFineSearch>(settings.coarse_fine); }},
-            {"correlative", [&] { return std::make_shared<CorrelativeSearch>(settings.correlative); }}};
+    return {{"none", nullptr},
+            {"coarse-fine", std::make_shared<CoarseFineSearch>(settings.coarse_fine)},
+            {"correlative", std::make_shared<CorrelativeSearch>(settings.correlative)}};
 }
 
 Choices<Correction> trust_choices(const MethodSettings& settings) {
-    return {{"none", [] { return nullptr; }},
-            {"lidar-score", [] { return std::make_shared<LidarScoreTrust>(); }},
-            {"information", [&] { return std::make_shared<InformationFusion>(settings.fusion); }},
-            {"eigenvalue-gate", [&] { return std::make_shared<EigenvalueGate>(settings.eigenvalue_gate); }},
-            {"odometry", [] { return std::make_shared<OdometryTrust>(); }}};
+    return {{"none", nullptr},
+            {"lidar-score", std::make_shared<LidarScoreTrust>()},
+            {"information", std::make_shared<InformationFusion>(settings.fusion)},
+            {"eigenvalue-gate", std::make_shared<EigenvalueGate>(settings.eigenvalue_gate)},
+            {"odometry", std::make_shared<OdometryTrust>()}};
 }
 
-Choices<const Resampling> resampling_choices(const MethodSettings& settings) {
-    return {{"systematic", [] { return std::make_shared<SystematicResampling>(); }},
-            {"enhanced", [&] { return std::make_shared<EnhancedResampling>(settings.enhanced_resampling); }}};
+Choices<std::shared_ptr<const Resampling>> resampling_choices(const MethodSettings& settings) {
+    return {{"systematic", std::make_shared<SystematicResampling>()},
+            {"enhanced", std::make_shared<EnhancedResampling>(settings.enhanced_resampling)}};
 }
 
-Choices<OdometryModel> odometry_choices(const FilterSettings& settings) {
-    return {{"as-logged", [&] { return std::make_shared<FixedOdometry>(settings.rbpf.motion); }},
-            {"learnt", [] { return std::make_shared<LearntOdometry>(); }}};
+Choices<std::function<std::unique_ptr<OdometryModel>()>> odometry_choices(const FilterSettings& settings) {
+    return {{"as-logged", [noise = settings.rbpf.motion] { return std::make_unique<FixedOdometry>(noise); }},
+            {"learnt", [] { return std::make_unique<LearntOdometry>(); }}};
 }
 
 FilterStrategies strategies_of(const FilterSettings& settings, const DetectorTable& detectors) {

@@ -98,8 +98,6 @@ const SettingTable<RbpfSettings>& rbpf_rows() {
         {"likelihood_gain", &Rbpf::likelihood_gain, Allowed::number(0.0, 10.0), "",
          "Exponent on the likelihood of a scan: neighbouring beams and scans err together, so that their product is "
          "too sure."},
-        {"min_match_score", &Rbpf::min_match_score, Allowed::number(0.0, 1.0), "",
-         "A match with a lower mean score per beam is refused, and the particle keeps its predicted pose."},
         {"insert_distance_m", &Rbpf::insert_distance_m, Allowed::number(0.0, 100.0), "m",
          "A scan enters the map when the odometry has moved this far since the last one that did."},
         {"insert_turn_rad", &Rbpf::insert_turn_rad, Allowed::number(0.0, 100.0), "rad",

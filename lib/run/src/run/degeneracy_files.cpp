@@ -7,7 +7,6 @@
 
 #include "report/figure.hpp"
 #include "report/map_picture.hpp"
-#include "run/run_course.hpp"
 
 namespace ddtool {
 namespace {
@@ -16,7 +15,7 @@ constexpr const char* header =
     "stamp_ns,degree,dispersion,major_sd_m,minor_sd_m,major_direction_rad,corrected_m,resampled,x_m,y_m,theta_rad,"
     "cov_xx,cov_xy,cov_xt,cov_yy,cov_yt,cov_tt\n";
 
-void write_row(std::ostream& out, const UpdateReport& update) {
+void write_row(std::ostream& out, const UpdateSummary& update) {
     const auto number = [&](double value) {
         std::array<char, 32> text{};
         std::snprintf(text.data(), text.size(), ",%.9g", value);
@@ -24,7 +23,7 @@ void write_row(std::ostream& out, const UpdateReport& update) {
     };
     out << update.stamp_ns;
     for (const double value :
-         {update.degeneracy.degree, update.dispersion, std::sqrt(update.swarm.major_variance_m2),
+         {update.degree, update.dispersion, std::sqrt(update.swarm.major_variance_m2),
           std::sqrt(update.swarm.minor_variance_m2), update.swarm.major_direction_rad, update.corrected_m,
           update.resampled ? 1.0 : 0.0, update.pose.x_m, update.pose.y_m, update.pose.theta_rad}) {
         number(value);
@@ -37,11 +36,11 @@ void write_row(std::ostream& out, const UpdateReport& update) {
     out << '\n';
 }
 
-void draw_time_line(plot::Axes& axes, const std::vector<UpdateReport>& updates) {
+void draw_time_line(plot::Axes& axes, const std::vector<UpdateSummary>& updates) {
     std::vector<double> time_s, degree, corrected_m;
-    for (const UpdateReport& update : updates) {
+    for (const UpdateSummary& update : updates) {
         time_s.push_back(1e-9 * static_cast<double>(update.stamp_ns - updates.front().stamp_ns));
-        degree.push_back(update.degeneracy.degree);
+        degree.push_back(update.degree);
         corrected_m.push_back(10.0 * update.corrected_m);
     }
     axes.x_label("time [s]").y_label("degree").y_range(0.0, 1.0);
@@ -55,11 +54,11 @@ DegeneracyCsv::DegeneracyCsv(const std::filesystem::path& file) : file_(file) {
     file_.write([](std::ostream& out) { out << header; });
 }
 
-void DegeneracyCsv::add(const UpdateReport& update) {
+void DegeneracyCsv::add(const UpdateSummary& update) {
     file_.write([&](std::ostream& out) { write_row(out, update); });
 }
 
-void write_degeneracy_picture(const std::filesystem::path& file, const std::vector<UpdateReport>& updates,
+void write_degeneracy_picture(const std::filesystem::path& file, const std::vector<UpdateSummary>& updates,
                               const MapRaster& map, const Trajectory& path) {
     plot::Figure figure({.height_px = 900.0, .row_shares = {3.0, 1.0}});
     const std::vector<std::uint8_t> pixels = grey_pixels(map);
@@ -67,7 +66,7 @@ void write_degeneracy_picture(const std::filesystem::path& file, const std::vect
     for (const auto& [stamp_ns, pose] : places_of(updates, path)) {
         x_m.push_back(pose.x_m);
         y_m.push_back(pose.y_m);
-        degree.push_back(updates[degree.size()].degeneracy.degree);
+        degree.push_back(updates[degree.size()].degree);
     }
     figure.axes(0)
         .equal_aspect()

@@ -3,18 +3,18 @@
 #include <filesystem>
 #include <vector>
 
-#include "ddtool/filter/update_report.hpp"
 #include "ddtool/robot/trajectory.hpp"
 #include "report/map_raster.hpp"
+#include "run/run_course.hpp"
 #include "system/atomic_file.hpp"
 
 namespace ddtool {
 
-/// degeneracy.csv, a row an update (docs/formats/results.md). Throws Error naming the file.
+/// degeneracy.csv, a row per update (docs/formats/results.md). Throws Error naming the file.
 class DegeneracyCsv {
 public:
     explicit DegeneracyCsv(const std::filesystem::path& file);
-    void add(const UpdateReport& update);
+    void add(const UpdateSummary& update);
     /// Completes the file; without it nothing is left behind.
     void close() { file_.close(); }
 
@@ -24,7 +24,7 @@ private:
 
 /// The map with the path coloured by the degree, and below it the degree and the swarm's spread over time. `path` has a
 /// pose for every scan. Throws Error naming the file.
-void write_degeneracy_picture(const std::filesystem::path& file, const std::vector<UpdateReport>& updates,
+void write_degeneracy_picture(const std::filesystem::path& file, const std::vector<UpdateSummary>& updates,
                               const MapRaster& map, const Trajectory& path);
 
 }  // namespace ddtool

@@ -11,9 +11,9 @@ constexpr int map_time_share = 20;
 
 }  // namespace
 
-void LiveRun::add(const SensorFrame& frame, const Rbpf& filter, bool moved) {
-    if (moved) {
-        messages_.add(frame, filter);
+void LiveRun::add(const SensorFrame& frame, const std::optional<Update>& update, const Rbpf& filter) {
+    if (update) {
+        messages_.add(frame, *update);
         add_map(frame.scan.stamp_ns, filter);
     }
     messages_.add_pose(frame.scan.stamp_ns, filter);

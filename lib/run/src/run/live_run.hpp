@@ -12,8 +12,8 @@ class LiveRun {
 public:
     explicit LiveRun(Ros2Sink& sink) : messages_(sink) {}
 
-    /// After the filter has taken the frame; `moved` as Rbpf::process() says.
-    void add(const SensorFrame& frame, const Rbpf& filter, bool moved);
+    /// After the filter has taken the frame, with the update where there was one.
+    void add(const SensorFrame& frame, const std::optional<Update>& update, const Rbpf& filter);
     /// The map and the path as they are at the end.
     void finish(const MapRaster& map, const Trajectory& path);
 

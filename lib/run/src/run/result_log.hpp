@@ -14,10 +14,8 @@ class ResultLog {
 public:
     explicit ResultLog(const std::filesystem::path& path) : file_(path) {}
 
-    /// After the frame has moved the filter.
-    void add(const SensorFrame& frame, const Rbpf& filter);
-    /// After the filter has taken any frame.
-    void add_pose(std::int64_t stamp_ns, const Rbpf& filter) { messages_.add_pose(stamp_ns, filter); }
+    /// After the filter has taken the frame, with the update where there was one.
+    void add(const SensorFrame& frame, const std::optional<Update>& update, const Rbpf& filter);
     /// The map and the path as they are at the end.
     void finish(const MapRaster& map, const Trajectory& path);
     /// Completes the file; without it nothing is left behind.

@@ -6,54 +6,66 @@
 namespace ddtool {
 namespace {
 
-double total_s(const StageTimes& times) {
-    return times.prepare_s + times.match_s + times.detect_s + times.correct_s + times.resample_s + times.map_s;
+double mean_distance_m(const ParticleSnapshot& before, const ParticleSnapshot& after) {
+    double sum_m = 0.0;
+    for (std::size_t index = 0; index < before.particles.size(); ++index) {
+        sum_m += distance_m(before.particles[index].pose, after.particles[index].pose);
+    }
+    return sum_m / static_cast<double>(before.particles.size());
+}
+
+double dispersion_of(const ParticleSnapshot& swarm) {
+    std::vector<double> log_likelihoods;
+    for (const SnapshotParticle& particle : swarm.particles) {
+        log_likelihoods.push_back(particle.log_likelihood);
+    }
+    return dispersion(log_likelihoods);
 }
 
 }  // namespace
 
-void RunCourse::see(const ParticleSnapshot& swarm, const Degeneracy& degeneracy) {
-    effective_size_ = effective_sample_size(weights_of(swarm.particles));
-    worst_.offer(swarm, degeneracy);
+UpdateSummary summary_of(const Update& update) {
+    const std::vector<SnapshotParticle>& particles = update.matched.particles;
+    return {.stamp_ns = update.matched.stamp_ns,
+            .degree = update.degeneracy.degree,
+            .dispersion = dispersion_of(update.matched),
+            .swarm = swarm_shape(particles, &SnapshotParticle::pose),
+            .effective_size = effective_sample_size(weights_of(particles)),
+            .corrected_m = mean_distance_m(update.matched, update.corrected),
+            .resampled = update.resampled,
+            .pose = update.pose,
+            .covariance = update.covariance,
+            .step_s = update.times.total_s()};
 }
 
-void RunCourse::add(const Rbpf& filter) {
-    const double step_s = total_s(filter.times()) - filter_s_;
-    filter_s_ += step_s;
-    if (filter.updates() <= 1) {
-        return;
-    }
+void RunCourse::add(const Update& update, const UpdateSummary& summary) {
+    worst_.offer(update.matched, update.degeneracy);
     if (seen_++ % every_ != 0) {
-        updates_.back().resampled |= filter.last_report().resampled;
+        updates_.back().resampled |= summary.resampled;
         return;
     }
     if (updates_.size() == most_) {
         halve();
     }
-    updates_.push_back(filter.last_report());
-    effective_sizes_.push_back(effective_size_);
-    step_s_.push_back(step_s);
+    updates_.push_back(summary);
 }
 
 void RunCourse::halve() {
     const std::size_t left = most_ / 2;
     for (std::size_t row = 0; row < left; ++row) {
+        const bool resampled = updates_[2 * row].resampled || updates_[2 * row + 1].resampled;
         updates_[row] = updates_[2 * row];
-        updates_[row].resampled |= updates_[2 * row + 1].resampled;
-        effective_sizes_[row] = effective_sizes_[2 * row];
-        step_s_[row] = step_s_[2 * row];
+        updates_[row].resampled = resampled;
     }
     updates_.resize(left);
-    effective_sizes_.resize(left);
-    step_s_.resize(left);
     every_ *= 2;
 }
 
-Trajectory places_of(const std::vector<UpdateReport>& updates, const Trajectory& path) {
+Trajectory places_of(const std::vector<UpdateSummary>& updates, const Trajectory& path) {
     const StampIndex scans(path);
     Trajectory places;
     places.reserve(updates.size());
-    for (const UpdateReport& update : updates) {
+    for (const UpdateSummary& update : updates) {
         const auto scan = scans.nearest(update.stamp_ns, 0.0);
         places.push_back({update.stamp_ns, scan ? path[*scan].pose : update.pose});
     }

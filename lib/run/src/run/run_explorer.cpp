@@ -30,7 +30,7 @@ template <typename Value>
 std::vector<double> values_of(const RunCourse& course, Value value) {
     std::vector<double> values;
     values.reserve(course.updates().size());
-    for (const UpdateReport& update : course.updates()) {
+    for (const UpdateSummary& update : course.updates()) {
         values.push_back(value(update));
     }
     return values;
@@ -68,22 +68,22 @@ bool says_something(const Line& line) {
 /// By how much the path is best coloured, the best first; without those that are 0 throughout, such as the degree where
 /// the method has no detector.
 std::vector<Line> lines_of(const RunCourse& course, const Truth& truth) {
-    std::vector<double> step_ms = course.step_s();
-    std::for_each(step_ms.begin(), step_ms.end(), [](double& value) { value *= 1e3; });
     const Json at_least_0{{"low", 0.0}};
     std::vector<Line> lines{
         {"degree",
          "",
          1e-4,
          {{"low", 0.0}, {"high", 1.0}},
-         values_of(course, [](const UpdateReport& update) { return update.degeneracy.degree; })},
+         values_of(course, [](const UpdateSummary& update) { return update.degree; })},
         {"spread of the particles", "m", 1e-4, at_least_0,
-         values_of(course, [](const UpdateReport& update) { return std::sqrt(update.swarm.major_variance_m2); })},
-        {"effective sample size", "", 0.01, at_least_0, course.effective_sizes(), true},
+         values_of(course, [](const UpdateSummary& update) { return std::sqrt(update.swarm.major_variance_m2); })},
+        {"effective sample size", "", 0.01, at_least_0,
+         values_of(course, [](const UpdateSummary& update) { return update.effective_size; }), true},
         {"correction", "m", 1e-4, at_least_0,
-         values_of(course, [](const UpdateReport& update) { return update.corrected_m; })},
+         values_of(course, [](const UpdateSummary& update) { return update.corrected_m; })},
         {"distance from the truth", "m", 1e-4, at_least_0, truth.errors_m},
-        {"step time", "ms", 1e-3, at_least_0, std::move(step_ms)}};
+        {"step time", "ms", 1e-3, at_least_0,
+         values_of(course, [](const UpdateSummary& update) { return 1e3 * update.step_s; })}};
     std::erase_if(lines, [](const Line& line) { return !says_something(line); });
     return lines;
 }

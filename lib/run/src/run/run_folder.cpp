@@ -28,27 +28,19 @@ RunFolder::RunFolder(std::filesystem::path folder, bool with_snapshots)
     }
 }
 
-void RunFolder::watch(Rbpf& filter) {
-    filter.on_snapshot([this](const ParticleSnapshot& snapshot, const Degeneracy& degeneracy) {
-        const StageTimer timer(write_s_);
-        course_.see(snapshot, degeneracy);
-        if (snapshots_) {
-            snapshots_->write(snapshot, degeneracy);
-        }
-    });
-}
-
-void RunFolder::add(const SensorFrame& frame, const Rbpf& filter, bool moved) {
+void RunFolder::add(const SensorFrame& frame, const std::optional<Update>& update, const Rbpf& filter) {
     const StageTimer timer(write_s_);
-    if (moved) {
-        result_.add(frame, filter);
-        course_.add(filter);
-        if (filter.updates() > 1) {
-            degeneracy_.add(filter.last_report());
-        }
-    }
-    result_.add_pose(frame.scan.stamp_ns, filter);
+    result_.add(frame, update, filter);
     online_.add({frame.scan.stamp_ns, filter.pose()});
+    if (!update) {
+        return;
+    }
+    const UpdateSummary summary = summary_of(*update);
+    course_.add(*update, summary);
+    degeneracy_.add(summary);
+    if (snapshots_) {
+        snapshots_->write(update->matched, update->degeneracy);
+    }
 }
 
 void RunFolder::finish(const FilterRun& run, const MapRaster& map) {

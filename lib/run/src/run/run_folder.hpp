@@ -24,10 +24,8 @@ public:
     /// Creates the folder. snapshots.mcap is written on request only.
     RunFolder(std::filesystem::path folder, bool with_snapshots);
 
-    /// Connects the filter; it must not outlive the folder.
-    void watch(Rbpf& filter);
-    /// After the filter has taken the frame; `moved` as Rbpf::process() says.
-    void add(const SensorFrame& frame, const Rbpf& filter, bool moved);
+    /// After the filter has taken the frame, with the update where there was one.
+    void add(const SensorFrame& frame, const std::optional<Update>& update, const Rbpf& filter);
     /// Writes the trajectories, the map and its picture, and completes the MCAP files.
     void finish(const FilterRun& run, const MapRaster& map);
     void write_json(const std::string& name, const Json& content);

@@ -34,15 +34,11 @@ Trajectory thinned(const Trajectory& path) {
 
 }  // namespace
 
-void RunMessages::add(const SensorFrame& frame, const Rbpf& filter) {
-    const std::int64_t stamp_ns = frame.scan.stamp_ns;
-    write_transforms(frame, filter.pose());
-    sink_.write("/scan", stamp_ns, ros::to_message(frame.scan, laser_frame));
-    write_particles(stamp_ns, filter.particles());
-    if (started_) {  // the first scan only starts the map
-        write_report(filter.last_report());
-    }
-    started_ = true;
+void RunMessages::add(const SensorFrame& frame, const Update& update) {
+    write_transforms(frame, update.pose);
+    sink_.write("/scan", frame.scan.stamp_ns, ros::to_message(frame.scan, laser_frame));
+    write_particles(update.corrected);
+    write_degeneracy(summary_of(update));
 }
 
 void RunMessages::add_map(std::int64_t stamp_ns, const MapRaster& map, const Trajectory& path) {
@@ -65,24 +61,24 @@ void RunMessages::write_transforms(const SensorFrame& frame, const Pose2& map_fr
     sink_.write("/tf", stamp_ns, way);
 }
 
-void RunMessages::write_particles(std::int64_t stamp_ns, std::span<const Particle> particles) {
-    ros::PoseArray cloud{.header = {{stamp_ns}, map_frame}, .poses = {}};
-    for (const Particle& particle : particles) {
+void RunMessages::write_particles(const ParticleSnapshot& swarm) {
+    ros::PoseArray cloud{.header = {{swarm.stamp_ns}, map_frame}, .poses = {}};
+    for (const SnapshotParticle& particle : swarm.particles) {
         cloud.poses.push_back(ros::to_pose(particle.pose));
     }
-    sink_.write("/particlecloud", stamp_ns, cloud);
+    sink_.write("/particlecloud", swarm.stamp_ns, cloud);
 }
 
-void RunMessages::write_report(const UpdateReport& report) {
-    sink_.write("/degeneracy", report.stamp_ns,
-                ros::Degeneracy{{report.stamp_ns},
-                                report.degeneracy.degree,
-                                report.dispersion,
-                                report.swarm.major_variance_m2,
-                                report.swarm.minor_variance_m2,
-                                report.swarm.major_direction_rad,
-                                report.corrected_m,
-                                report.resampled ? 1U : 0U});
+void RunMessages::write_degeneracy(const UpdateSummary& update) {
+    sink_.write("/degeneracy", update.stamp_ns,
+                ros::Degeneracy{{update.stamp_ns},
+                                update.degree,
+                                update.dispersion,
+                                update.swarm.major_variance_m2,
+                                update.swarm.minor_variance_m2,
+                                update.swarm.major_direction_rad,
+                                update.corrected_m,
+                                update.resampled ? 1U : 0U});
 }
 
 void RunMessages::add_pose(std::int64_t stamp_ns, const Rbpf& filter) {

@@ -2,13 +2,13 @@
 
 #include <cstdint>
 #include <optional>
-#include <span>
 
 #include "ddtool/filter/rbpf.hpp"
 #include "ddtool/robot/sensor_stream.hpp"
 #include "ddtool/robot/trajectory.hpp"
 #include "logs/messages/ros2_sink.hpp"
 #include "report/map_raster.hpp"
+#include "run/run_course.hpp"
 
 namespace ddtool {
 
@@ -18,23 +18,22 @@ class RunMessages {
 public:
     explicit RunMessages(Ros2Sink& sink) : sink_(sink) {}
 
-    /// After the frame has moved the filter.
-    void add(const SensorFrame& frame, const Rbpf& filter);
-    /// After the filter has taken any frame.
+    /// What an update of the filter, made from the frame, gave.
+    void add(const SensorFrame& frame, const Update& update);
+    /// Where the robot is after the filter has taken a frame, whether or not that was an update.
     void add_pose(std::int64_t stamp_ns, const Rbpf& filter);
     /// The map and the path as they are now.
     void add_map(std::int64_t stamp_ns, const MapRaster& map, const Trajectory& path);
 
 private:
     void write_transforms(const SensorFrame& frame, const Pose2& map_from_robot);
-    void write_report(const UpdateReport& report);
-    void write_particles(std::int64_t stamp_ns, std::span<const Particle> particles);
+    void write_degeneracy(const UpdateSummary& update);
+    void write_particles(const ParticleSnapshot& swarm);
     void write_map(std::int64_t stamp_ns, const MapRaster& map);
     void write_path(std::int64_t stamp_ns, const Trajectory& path);
 
     Ros2Sink& sink_;
     std::optional<Pose2> robot_from_laser_;  ///< as last written
-    bool started_ = false;
 };
 
 }  // namespace ddtool

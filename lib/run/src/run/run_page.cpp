@@ -15,26 +15,22 @@
 namespace ddtool {
 namespace {
 
-std::vector<html::Fact> facts_of(const Json& report) {
-    const Json& run = report.at("run");
-    const Json& map = run.at("map");
-    const Json& cost = report.at("cost");
-    const auto length = [](const Json& number, int decimals) {
-        return fixed_text(number.get<double>(), decimals) + " m";
-    };
-    std::vector<html::Fact> facts{{"scans", run.at("scans").dump()},
-                                  {"duration", fixed_text(run.at("duration_s"), 1) + " s"},
-                                  {"path", length(run.at("path_m"), 1)},
-                                  {"map", fixed_text(map.at("width_m"), 1) + " x " + length(map.at("height_m"), 1)},
-                                  {"filter updates", run.at("updates").dump()},
-                                  {"resamplings", run.at("resamplings").dump()},
-                                  {"wall time", fixed_text(cost.at("wall_s"), 1) + " s"},
-                                  {"memory", fixed_text(1e-6 * cost.at("peak_memory_bytes").get<double>(), 0) + " MB"}};
-    if (run.contains("step_ms") && !run.at("step_ms").is_null()) {
-        facts.push_back({"step, 99 % below", fixed_text(run.at("step_ms").at("p99"), 1) + " ms"});
+std::vector<html::Fact> facts_of(const RunReport& run, const CostReport& cost) {
+    const auto length = [](double length_m, int decimals) { return fixed_text(length_m, decimals) + " m"; };
+    std::vector<html::Fact> facts{
+        {"scans", std::to_string(run.scans)},
+        {"duration", fixed_text(run.duration_s, 1) + " s"},
+        {"path", length(run.path_m, 1)},
+        {"map", fixed_text(run.map_width_m, 1) + " x " + length(run.map_height_m, 1)},
+        {"filter updates", std::to_string(run.updates)},
+        {"resamplings", std::to_string(run.resamplings)},
+        {"wall time", fixed_text(cost.wall_s, 1) + " s"},
+        {"memory", fixed_text(1e-6 * static_cast<double>(cost.peak_memory_bytes), 0) + " MB"}};
+    if (run.step) {
+        facts.push_back({"step, 99 % below", fixed_text(run.step->p99_ms, 1) + " ms"});
     }
-    if (run.contains("errors")) {
-        facts.insert(facts.begin(), {"ATE (rmse)", length(run.at("errors").at("ate_m").at("rmse"), 3)});
+    if (run.errors && run.errors->absolute) {
+        facts.insert(facts.begin(), {"ATE (rmse)", length(run.errors->absolute->translation_m.rmse, 3)});
     }
     return facts;
 }
@@ -83,38 +79,36 @@ void add_worst_moments(html::Page& page, const RunCourse& course, const RunExplo
     page.moments(moments);
 }
 
-Table stage_table(const Json& stages) {
+Table stage_table(const RunReport& run) {
     Table table({{"stage"}, {"wall time [s]"}});
-    for (const auto& [name, seconds] : stages.items()) {
-        table.add_row({name.substr(0, name.rfind("_s")), seconds.get<double>()});
+    for (const auto& [name, seconds] : stages_of(run)) {
+        table.add_row({name.substr(0, name.rfind("_s")), seconds});
     }
     return table;
 }
 
 }  // namespace
 
-html::Page run_page(const Json& report, const std::vector<std::string>& warnings, const FilterRun& run,
-                    const MapRaster& map, const RunCourse& course, const ImageSettings& image) {
-    const std::string file = report.at("log").at("file");
-    const RunExplorer explorer = run_explorer(run, map, course);
-    html::Page page("ddtool slam", std::filesystem::path(file).filename().string());
-    page.warnings(warnings).facts(facts_of(report));
+html::Page run_page(const RunPageContent& content) {
+    const RunExplorer explorer = run_explorer(content.run, content.map, content.course);
+    html::Page page("ddtool slam", std::filesystem::path(content.log_file).filename().string());
+    page.warnings(content.warnings).facts(facts_of(content.report, content.cost));
     page.section("Map and time lines")
         .text(
             "Point at the path or at a line to see what was so there; click a line to bring its place into view. The "
             "marks at the bottom of the effective sample size are resamplings.")
         .explorer(explorer.data);
-    add_worst_moments(page, course, explorer, image);
-    if (!run.ground_truth.empty()) {
+    add_worst_moments(page, content.course, explorer, content.image);
+    if (content.report.errors) {
         page.section("Errors against the ground truth")
             .text("The path is aligned with the truth first (SE(2)).")
-            .table(score_table(score_against(run.trajectory, run.ground_truth)));
+            .table(score_table(*content.report.errors));
     }
-    page.section("Where the time went").table(stage_table(report.at("run").at("stages")));
+    page.section("Where the time went").table(stage_table(content.report));
     page.section("Settings and versions")
-        .values("Settings", report.at("settings"))
-        .values("Log", report.at("log"))
-        .values("Versions", report.at("versions"));
+        .values("Settings", content.settings)
+        .values("Log", content.log)
+        .values("Versions", content.versions);
     return page;
 }
 

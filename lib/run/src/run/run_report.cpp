@@ -2,13 +2,9 @@
 
 #include <algorithm>
 
-#include "ddtool/system/json_struct.hpp"
 #include "scores/statistics.hpp"
-#include "scores/trajectory_score.hpp"
 
 namespace ddtool {
-
-DDTOOL_JSON_STRUCT(StageTimes, prepare_s, match_s, detect_s, correct_s, resample_s, map_s)
 
 namespace {
 
@@ -23,31 +19,76 @@ double duration_s(const Trajectory& trajectory) {
     return 1e-9 * static_cast<double>(last->stamp_ns - first->stamp_ns);
 }
 
-}  // namespace
-
-Json step_time_report(const RunCourse& course) {
-    const std::vector<double>& steps = course.step_s();
-    if (steps.empty()) {
-        return nullptr;
+std::optional<StepTimes> step_times(const RunCourse& course) {
+    std::vector<double> steps_ms;
+    for (const UpdateSummary& update : course.updates()) {
+        steps_ms.push_back(1e3 * update.step_s);
     }
-    const auto ms_at = [&](double fraction) { return 1e3 * quantile(steps, fraction); };
-    return {{"median", ms_at(0.5)}, {"p99", ms_at(0.99)}, {"most", ms_at(1.0)}};
+    if (steps_ms.empty()) {
+        return std::nullopt;
+    }
+    return StepTimes{quantile(steps_ms, 0.5), quantile(steps_ms, 0.99), quantile(steps_ms, 1.0)};
 }
 
-Json run_report(const FilterRun& run, const MapRaster& map) {
-    Json stages{{"read_s", run.read_s}};
-    stages.update(Json(run.times));
-    Json report{{"scans", run.trajectory.size()},
-                {"updates", run.updates},
-                {"resamplings", run.resamplings},
-                {"duration_s", duration_s(run.trajectory)},
-                {"path_m", path_length_m(run.trajectory)},
-                {"map", {{"width_m", map.width_m()}, {"height_m", map.height_m()}, {"cell_size_m", map.cell_size_m}}},
-                {"stages", stages}};
+}  // namespace
+
+RunReport run_report(const FilterRun& run, const MapRaster& map, const RunCourse& course, double write_s) {
+    RunReport report{.scans = run.trajectory.size(),
+                     .updates = run.updates,
+                     .resamplings = run.resamplings,
+                     .duration_s = duration_s(run.trajectory),
+                     .path_m = path_length_m(run.trajectory),
+                     .map_width_m = map.width_m(),
+                     .map_height_m = map.height_m(),
+                     .cell_size_m = map.cell_size_m,
+                     .read_s = run.read_s,
+                     .stages = run.times,
+                     .write_s = write_s,
+                     .errors = std::nullopt,
+                     .step = step_times(course)};
     if (!run.ground_truth.empty()) {
-        report["errors"] = score_json(score_against(run.trajectory, run.ground_truth));
+        report.errors = score_against(run.trajectory, run.ground_truth);
     }
     return report;
+}
+
+std::vector<std::pair<std::string, double>> stages_of(const RunReport& report) {
+    const StageTimes& filter = report.stages;
+    return {{"read_s", report.read_s},     {"prepare_s", filter.prepare_s}, {"match_s", filter.match_s},
+            {"detect_s", filter.detect_s}, {"correct_s", filter.correct_s}, {"resample_s", filter.resample_s},
+            {"map_s", filter.map_s},       {"write_s", report.write_s}};
+}
+
+Json to_run_json(const RunReport& report) {
+    Json stages = Json::object();
+    for (const auto& [stage, seconds] : stages_of(report)) {
+        stages[stage] = seconds;
+    }
+    Json json{
+        {"scans", report.scans},
+        {"updates", report.updates},
+        {"resamplings", report.resamplings},
+        {"duration_s", report.duration_s},
+        {"path_m", report.path_m},
+        {"map",
+         {{"width_m", report.map_width_m}, {"height_m", report.map_height_m}, {"cell_size_m", report.cell_size_m}}},
+        {"stages", stages}};
+    if (report.errors) {
+        json["errors"] = score_json(*report.errors);
+    }
+    json["step_ms"] = nullptr;
+    if (report.step) {
+        json["step_ms"] = {
+            {"median", report.step->median_ms}, {"p99", report.step->p99_ms}, {"most", report.step->most_ms}};
+    }
+    return json;
+}
+
+void to_json(Json& json, const CostReport& cost) {
+    json = {{"threads", cost.threads},
+            {"wall_s", cost.wall_s},
+            {"cpu_s", cost.cpu_s},
+            {"peak_memory_bytes", cost.peak_memory_bytes}};
 }
 
 }  // namespace ddtool

@@ -20,7 +20,7 @@ std::size_t search_count(double degree);
 class CoarseFineSearch : public PoseCorrection {
 public:
     explicit CoarseFineSearch(const CoarseFineSettings& settings) : settings_(settings) {}
-    ScanMatch correct(const MatchContext& context, const ScanMatch& found, const Degeneracy& degeneracy) const override;
+    ScanMatch correct(const MatchContext& context, const ScanMatch& found) const override;
 
 private:
     CoarseFineSettings settings_;

@@ -25,7 +25,7 @@ Eigen::Matrix2d normal_scatter(const MatchPoints& points, double theta_rad);
 class CorrelativeSearch : public PoseCorrection {
 public:
     explicit CorrelativeSearch(const CorrelativeSearchSettings& settings) : settings_(settings) {}
-    ScanMatch correct(const MatchContext& context, const ScanMatch& found, const Degeneracy& degeneracy) const override;
+    ScanMatch correct(const MatchContext& context, const ScanMatch& found) const override;
 
 private:
     CorrelativeSearchSettings settings_;

@@ -17,8 +17,7 @@ struct EnhancedResamplingSettings {
 class EnhancedResampling : public Resampling {
 public:
     explicit EnhancedResampling(const EnhancedResamplingSettings& settings) : settings_(settings) {}
-    std::vector<Descendant> resample(std::span<const SnapshotParticle> particles, const Degeneracy& degeneracy,
-                                     RandomStream& random) const override;
+    std::vector<Descendant> resample(std::span<const SnapshotParticle> particles, RandomStream& random) const override;
 
 private:
     EnhancedResamplingSettings settings_;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "ddtool/filter/occupancy_grid.hpp"
@@ -16,13 +17,13 @@ struct FilterRun {
     OccupancyGrid map{OccupancySettings{}};  ///< the best particle's
     std::uint64_t updates = 0;
     std::uint64_t resamplings = 0;
-    double read_s = 0.0;  ///< wall time in the stream
-    StageTimes times;
+    double read_s = 0.0;      ///< wall time in the stream
+    StageTimes times;         ///< in the filter, over all updates
     std::string ended_early;  ///< why the maps could not grow on and the run ended there; empty at the stream's end
 };
 
-/// Sees every frame after the filter has taken it, and whether it moved the filter; false ends the run.
-using FrameObserver = std::function<bool(const SensorFrame& frame, bool moved)>;
+/// Sees every frame after the filter has taken it, with the update where there was one; false ends the run.
+using FrameObserver = std::function<bool(const SensorFrame& frame, const std::optional<Update>& update)>;
 
 /// Feeds the filter from a stream to its end, or to where its maps cannot grow on (MapTooLarge); everything is empty
 /// when there was no scan. Throws MapTooLarge where the first scan is too much.

@@ -36,7 +36,7 @@ public:
     static constexpr double normal_error_rad = 0.05;
 
     explicit InformationFusion(const FusionSettings& settings) : settings_(settings) {}
-    ScanMatch correct(const MatchContext& context, const ScanMatch& found, const Degeneracy& degeneracy) const override;
+    ScanMatch correct(const MatchContext& context, const ScanMatch& found) const override;
 
 private:
     FusionSettings settings_;

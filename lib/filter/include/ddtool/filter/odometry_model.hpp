@@ -19,7 +19,7 @@ struct ObservedMotion {
     std::function<Pose2(std::size_t)> pose_before;
 };
 
-/// What the odometry's motion tells of the true one.
+/// What the odometry's motion tells of the true one. It belongs to one filter and is called by one thread at a time.
 class OdometryModel {
 public:
     virtual ~OdometryModel() = default;

@@ -10,13 +10,13 @@ double lidar_trust(double degree);
 /// The paper's choice: the lidar's score counts phi(c) times, the odometry's pose keeps its own; the higher wins.
 class LidarScoreTrust : public PoseCorrection {
 public:
-    ScanMatch correct(const MatchContext& context, const ScanMatch& found, const Degeneracy& degeneracy) const override;
+    ScanMatch correct(const MatchContext& context, const ScanMatch& found) const override;
 };
 
 /// The odometry alone; the match is forgotten.
 class OdometryTrust : public PoseCorrection {
 public:
-    ScanMatch correct(const MatchContext& context, const ScanMatch& found, const Degeneracy& degeneracy) const override;
+    ScanMatch correct(const MatchContext& context, const ScanMatch& found) const override;
 };
 
 struct EigenvalueGateSettings {
@@ -30,7 +30,7 @@ struct EigenvalueGateSettings {
 class EigenvalueGate : public PoseCorrection {
 public:
     explicit EigenvalueGate(const EigenvalueGateSettings& settings) : settings_(settings) {}
-    ScanMatch correct(const MatchContext& context, const ScanMatch& found, const Degeneracy& degeneracy) const override;
+    ScanMatch correct(const MatchContext& context, const ScanMatch& found) const override;
 
 private:
     EigenvalueGateSettings settings_;

@@ -6,12 +6,23 @@ namespace ddtool {
 
 /// Wall time spent in the filter's stages, in seconds.
 struct StageTimes {
-    double prepare_s = 0.0;
-    double match_s = 0.0;
+    double prepare_s = 0.0;  ///< turning the scan into points
+    double match_s = 0.0;    ///< propagating the particles and matching the scan to their maps
     double detect_s = 0.0;
     double correct_s = 0.0;
     double resample_s = 0.0;
-    double map_s = 0.0;
+    double map_s = 0.0;  ///< entering the scan into the particles' maps
+
+    [[nodiscard]] double total_s() const { return prepare_s + match_s + detect_s + correct_s + resample_s + map_s; }
+    StageTimes& operator+=(const StageTimes& other) {
+        prepare_s += other.prepare_s;
+        match_s += other.match_s;
+        detect_s += other.detect_s;
+        correct_s += other.correct_s;
+        resample_s += other.resample_s;
+        map_s += other.map_s;
+        return *this;
+    }
 };
 
 /// Adds its own lifetime to a stage.
@@ -27,5 +38,12 @@ private:
     double& total_s_;
     Clock::time_point start_ = Clock::now();
 };
+
+/// What `work` returns, its wall time added to a stage.
+template <typename Work>
+decltype(auto) timed(double& total_s, Work work) {
+    const StageTimer timer(total_s);
+    return work();
+}
 
 }  // namespace ddtool

@@ -27,7 +27,7 @@ class FilterMethod : public Method {
 public:
     FilterMethod(const FilterSettings& settings, const DetectorTable& detectors)
         : filter_(make_filter(settings, detectors, threads_)) {}
-    void process(const SensorFrame& frame) override { filter_->process(frame); }
+    void process(const SensorFrame& frame) override { filter_->update(frame); }
     Trajectory trajectory() override { return filter_->trajectory(); }
 
 private:
