@@ -13,14 +13,14 @@
 namespace ddtool {
 
 /// The setting that an option is short for: the option is --set PATH=VALUE.
-struct Setting {
+struct SettingPath {
     std::string path;  ///< keys with dots between them; Command::settings must have it
 };
 
 /// Where the value of an option goes: to a setting, or to a variable, which holds the default until then. A bool, and a
 /// setting that is one, make a flag; the setting's has a twin, --no-NAME. A list takes one value or several.
 using OptionValue =
-    std::variant<Setting, bool*, std::string*, std::vector<std::string>*, std::size_t*, std::uint16_t*, double*>;
+    std::variant<SettingPath, bool*, std::string*, std::vector<std::string>*, std::size_t*, std::uint16_t*, double*>;
 
 enum class Presence { optional, required };
 

@@ -14,6 +14,7 @@ Command export_command();
 Command info_command();
 Command man_command();
 Command score_command();
+Command settings_command();
 Command simulate_command();
 Command slam_command();
 Command train_command();

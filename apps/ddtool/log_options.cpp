@@ -5,40 +5,56 @@
 namespace ddtool {
 namespace {
 
-std::optional<Pose2> laser_pose(const Json& value) {
-    if (value.empty()) {
-        return std::nullopt;
-    }
-    const bool is_pose =
-        value.is_array() && value.size() == 3 && value[0].is_number() && value[1].is_number() && value[2].is_number();
-    if (!is_pose) {
-        throw UsageError("log.laser_pose: expected three numbers x,y,yaw");
-    }
-    return Pose2{value[0], value[1], value[2]};
+SettingRow<LogOptions> laser_pose_row() {
+    const Allowed numbers = Allowed::numbers(3, -1000.0, 1000.0);
+    return {{"laser_pose",
+             numbers,
+             "",
+             "Pose of the laser on the robot, x and y in metres and yaw in radians; empty "
+             "for the log's own.",
+             "",
+             {}},
+            [](Json& json, const LogOptions& options) {
+                const auto& pose = options.laser_pose;
+                json["laser_pose"] = pose ? Json{pose->x_m, pose->y_m, pose->theta_rad} : Json::array();
+            },
+            [](const Json& json, LogOptions& options) {
+                const Json& pose = json.at("laser_pose");
+                options.laser_pose = pose.empty() ? std::nullopt : std::optional(Pose2{pose[0], pose[1], pose[2]});
+            }};
+}
+
+const SettingTable<LogOptions>& log_rows() {
+    static const SettingTable<LogOptions> rows{
+        {"scan_topic", &LogOptions::scan_topic, Allowed::text(), "",
+         "Topic of the laser scans to use; found by type where it is empty.", "docs/formats/logs.md"},
+        {"odom_topic", &LogOptions::odom_topic, Allowed::text(), "",
+         "Topic of the odometry or transforms to use; found by type where it is empty.", "docs/formats/logs.md"},
+        {"ground_truth_topic", &LogOptions::ground_truth_topic, Allowed::text(), "",
+         "Topic of the true poses; found by name where it is empty.", "docs/formats/logs.md"},
+        laser_pose_row(),
+    };
+    return rows;
 }
 
 }  // namespace
 
-Json default_log_settings() {
-    return {{"scan_topic", ""}, {"odom_topic", ""}, {"ground_truth_topic", ""}, {"laser_pose", Json::array()}};
-}
+const std::vector<Setting>& log_setting_list() { return log_rows().settings(); }
 
 void append_log_options(std::vector<Option>& options) {
     options.insert(
         options.end(),
-        {{"--scan-topic", Setting{"log.scan_topic"}, "Laser scans to use; found by type where not given"},
-         {"--odom-topic", Setting{"log.odom_topic"}, "Odometry or transforms to use; found by type where not given"},
-         {"--ground-truth-topic", Setting{"log.ground_truth_topic"}, "True poses; found by name where not given"},
-         {"--laser-pose", Setting{"log.laser_pose"},
+        {{"--scan-topic", SettingPath{"log.scan_topic"}, "Laser scans to use; found by type where not given"},
+         {"--odom-topic", SettingPath{"log.odom_topic"},
+          "Odometry or transforms to use; found by type where not given"},
+         {"--ground-truth-topic", SettingPath{"log.ground_truth_topic"}, "True poses; found by name where not given"},
+         {"--laser-pose", SettingPath{"log.laser_pose"},
           "The laser on the robot, x,y,yaw in metres and radians; else the log's own"}});
 }
 
-LogOptions log_options(const Json& log_settings) {
-    return {.scan_topic = log_settings.at("scan_topic"),
-            .odom_topic = log_settings.at("odom_topic"),
-            .ground_truth_topic = log_settings.at("ground_truth_topic"),
-            .laser_pose = laser_pose(log_settings.at("laser_pose"))};
-}
+Json default_log_settings() { return log_rows().json({}); }
+
+LogOptions log_options(const Json& log_settings) { return log_rows().checked(log_settings, "log"); }
 
 LogProblemHandler LogReport::handler() {
     return [this](const LogProblem& problem) {

@@ -6,9 +6,12 @@
 #include "command.hpp"
 #include "ddtool/base/error.hpp"
 #include "ddtool/logs/log_stream.hpp"
-#include "ddtool/system/settings.hpp"
+#include "system/setting_rows.hpp"
 
 namespace ddtool {
+
+/// What is known of each of the settings under "log".
+const std::vector<Setting>& log_setting_list();
 
 /// What every command that reads a log takes: its settings are under "log".
 Json default_log_settings();

@@ -7,17 +7,12 @@
 #include <utility>
 
 #include "system/log.hpp"
+#include "system/setting_rows.hpp"
 #include "version.hpp"
 
 // The only file that includes CLI11, which takes longer to compile than all commands together.
 namespace ddtool {
 namespace {
-
-Json setting_at(const Json& settings, const std::string& path) {
-    std::string pointer = "/" + path;
-    std::replace(pointer.begin(), pointer.end(), '.', '/');
-    return settings.at(Json::json_pointer(pointer));
-}
 
 std::string type_name(const Json& value) {
     if (value.is_number_integer()) {
@@ -94,7 +89,7 @@ CLI::Option* ParsedCommand::declare_setting(const Option& option, const std::str
 void ParsedCommand::declare(const Option& option) {
     const auto declare_value = [&](const auto& value) -> CLI::Option* {
         using Value = std::decay_t<decltype(value)>;
-        if constexpr (std::is_same_v<Value, Setting>) {
+        if constexpr (std::is_same_v<Value, SettingPath>) {
             return declare_setting(option, value.path);
         } else if constexpr (std::is_same_v<Value, bool*>) {
             return app_.add_flag(option.name, *value, option.help);

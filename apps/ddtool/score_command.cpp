@@ -101,11 +101,11 @@ Command score_command() {
                  .type = "FILE.png",
                  .needs = "--reference"},
                 {"--json", &request->as_json, "Print JSON instead of a table"},
-                {"--align", Setting{"align"}, "Motion granted to the estimate first", "none|first|se2"},
-                {"--max-time-difference", Setting{"max_time_difference_s"},
+                {"--align", SettingPath{"align"}, "Motion granted to the estimate first", "none|first|se2"},
+                {"--max-time-difference", SettingPath{"max_time_difference_s"},
                  "Stamps at most this many seconds apart are one moment"},
-                {"--rpe-delta", Setting{"rpe.delta"}, "How far apart the two poses of an RPE motion are"},
-                {"--rpe-unit", Setting{"rpe.unit"}, "Of the RPE delta", "frames|metres|seconds"},
+                {"--rpe-delta", SettingPath{"rpe.delta"}, "How far apart the two poses of an RPE motion are"},
+                {"--rpe-unit", SettingPath{"rpe.unit"}, "Of the RPE delta", "frames|metres|seconds"},
             },
         .run = [request](const Json& settings) { return score(*request, settings); }};
 }

@@ -125,24 +125,25 @@ ExitCode simulate(const SimulateRequest& request, const Json& settings) {
 
 Command simulate_command() {
     const auto request = std::make_shared<SimulateRequest>();
-    return {.name = "simulate",
-            .summary = "Drive a robot through a world where the truth is known",
-            .example = "ddtool simulate --world s2 --seed 1 --out s2.mcap --png s2.png",
-            .settings = sim::default_simulation_json(),
-            .options =
-                {
-                    {"--world", Setting{"world"}, "The world, also one drawn by a seed; 'list' describes them",
-                     choices(plain_world_names()) + "|list|FILE.json"},
-                    {"--seed", Setting{"seed"}, "Of the sensors' noise; the way driven is the same for all"},
-                    {"--lidar", Setting{"lidar.preset"}, "The sensor", "ls-m10p|rplidar-a1|hokuyo-utm-30lx|sick-lms"},
-                    {"--odometry", Setting{"odometry.preset"}, "How well the wheels measure", "good|typical|poor"},
-                    {"--out", &request->log, "Log to write, with the truth in it", "FILE.mcap"},
-                    {"--ground-truth", &request->truth, "True poses at the scans to write", "FILE.tum"},
-                    {"--odometry-track", &request->odometry, "Odometry to write", "FILE.tum"},
-                    {"--png", &request->picture, "Picture of the world and the driven way to write", "FILE.png"},
-                    {"--json", &request->as_json, "Print JSON instead of a table"},
-                },
-            .run = [request](const Json& settings) { return simulate(*request, settings); }};
+    return {
+        .name = "simulate",
+        .summary = "Drive a robot through a world where the truth is known",
+        .example = "ddtool simulate --world s2 --seed 1 --out s2.mcap --png s2.png",
+        .settings = sim::default_simulation_json(),
+        .options =
+            {
+                {"--world", SettingPath{"world"}, "The world, also one drawn by a seed; 'list' describes them",
+                 choices(plain_world_names()) + "|list|FILE.json"},
+                {"--seed", SettingPath{"seed"}, "Of the sensors' noise; the way driven is the same for all"},
+                {"--lidar", SettingPath{"lidar.preset"}, "The sensor", "ls-m10p|rplidar-a1|hokuyo-utm-30lx|sick-lms"},
+                {"--odometry", SettingPath{"odometry.preset"}, "How well the wheels measure", "good|typical|poor"},
+                {"--out", &request->log, "Log to write, with the truth in it", "FILE.mcap"},
+                {"--ground-truth", &request->truth, "True poses at the scans to write", "FILE.tum"},
+                {"--odometry-track", &request->odometry, "Odometry to write", "FILE.tum"},
+                {"--png", &request->picture, "Picture of the world and the driven way to write", "FILE.png"},
+                {"--json", &request->as_json, "Print JSON instead of a table"},
+            },
+        .run = [request](const Json& settings) { return simulate(*request, settings); }};
 }
 
 }  // namespace ddtool

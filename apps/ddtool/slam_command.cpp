@@ -69,6 +69,10 @@ std::vector<std::string> shortfalls(const std::string& file, const LogSummary& l
     if (interrupt.made()) {
         lines.push_back("interrupted: the results end after scan " + std::to_string(run.trajectory.size()));
     }
+    if (!run.ended_early.empty()) {
+        lines.push_back(file + ": " + run.ended_early + "; the results end after scan " +
+                        std::to_string(run.trajectory.size()));
+    }
     if (!log.has_odometry) {
         lines.push_back(file +
                         ": no odometry: the motion was worked out from the scans, which fails where they look alike");
@@ -133,6 +137,7 @@ ExitCode slam(const SlamRequest& request, const Json& settings) {
                       {"parts", parts_json(filter_settings.method)},
                       {"log", log},
                       {"interrupted", interrupt.made()},
+                      {"ended_early", result.ended_early},
                       {"run", to_run_json(run)},
                       {"cost", cost}};
     folder.write_json("run.json", report);
@@ -172,11 +177,14 @@ Command slam_command() {
          Presence::required},
         {"--follow", &request->follow, "The log is MCAP that is still being written: wait for more, up to its footer"},
         {"--out", &request->folder, "Folder for the results; created where it is not there", "DIR", Presence::required},
-        {"--method", Setting{"filter.method"}, "What the filter does about degeneracy", choices(method_names())},
-        {"--detector", Setting{"filter.detector"}, "What tells the degree, or a model's file; empty: the method's own",
+        {"--method", SettingPath{"filter.method"}, "What the filter does about degeneracy", choices(method_names())},
+        {"--detector", SettingPath{"filter.detector"},
+         "What tells the degree, or a model's file; empty: the method's own",
          choices(all_detectors().names()) + "|FILE"},
-        {"--particles", Setting{"filter.particles"}, "Hypotheses, each with its own map"},
-        {"--seed", Setting{"filter.seed"}, "Of all chance: the same seed gives the same result"},
+        {"--particles", SettingPath{"filter.particles"}, "Hypotheses, each with its own map"},
+        {"--seed", SettingPath{"filter.seed"}, "Of all chance: the same seed gives the same result"},
+        {"--max-memory", SettingPath{"filter.grid.most_memory_mib"},
+         "The run ends with what it has when its maps would take more MiB; 0: three quarters of what is free"},
         {"--threads", &request->threads, "0: every core; the result does not depend on it", "INT"},
     };
     append_log_options(options);

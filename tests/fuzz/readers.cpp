@@ -21,8 +21,8 @@
 #include "sim/world_catalogue.hpp"
 #include "study/ablation/plan.hpp"
 #include "study/compare/experiment.hpp"
-#include "train/training_state.hpp"
 #include "train/train_settings.hpp"
+#include "train/training_state.hpp"
 
 namespace ddtool::fuzz {
 namespace {

@@ -25,7 +25,6 @@ struct KnownView {
                 .prior = prior,
                 .odometry = odometry,
                 .odometry_information = information.asDiagonal(),
-                .min_match_score = 0.1,
                 .degeneracy = {}};
     }
     /// Where the particle was sampled at the odometry's pose, in a swarm of that degree.

@@ -38,7 +38,7 @@ void drive(LearntOdometry& odometry, double way_m, const Truth& truth, const Eig
 }
 
 TEST(LearntOdometry, FindsScaleBiasAndNoiseWhereTheScansHoldTheRobot) {
-    LearntOdometry odometry({});
+    LearntOdometry odometry;
     drive(odometry, 400.0, {}, held);
     EXPECT_NEAR(odometry.scale(), 1.02, 4.0 * 0.02 / std::sqrt(400.0));
     EXPECT_NEAR(odometry.bias_rad_per_s(), -4e-4, 4.0 * 0.002 / std::sqrt(400.0));
@@ -50,14 +50,14 @@ TEST(LearntOdometry, FindsScaleBiasAndNoiseWhereTheScansHoldTheRobot) {
 }
 
 TEST(LearntOdometry, LearnsNoScaleWhereTheWayIsNotHeldButTheTurnRate) {
-    LearntOdometry odometry({});
+    LearntOdometry odometry;
     drive(odometry, 100.0, {}, lost_along);
     EXPECT_EQ(odometry.scale(), 1.0);
     EXPECT_LT(odometry.bias_rad_per_s(), -1e-4);
 }
 
 TEST(LearntOdometry, GetsSurerWithEveryMetre) {
-    LearntOdometry odometry({});
+    LearntOdometry odometry;
     double last_sd = odometry.scale_sd();
     for (int part = 0; part < 5; ++part) {
         drive(odometry, 10.0, {}, held);
@@ -67,16 +67,15 @@ TEST(LearntOdometry, GetsSurerWithEveryMetre) {
 }
 
 TEST(LearntOdometry, OfNothingLearntIsTheOdometry) {
-    const LearntOdometry odometry({});
+    const LearntOdometry odometry;
     EXPECT_EQ(odometry.expected({0.3, 0.1, -0.2}, 5.0), (Pose2{0.3, 0.1, -0.2}));
-    const OdometryLearning settings;
     const MotionSigmas sigmas = odometry.sigmas({1.0, 0.0, 0.0}, 0.0);
-    EXPECT_GE(sigmas.x_m, settings.caution * settings.noise.translation_per_translation);
+    EXPECT_GE(sigmas.x_m, OdometryLearning::caution * OdometryLearning::noise.translation_per_translation);
 }
 
 TEST(LearntOdometry, ASlipCountsLittle) {
-    LearntOdometry slipped({});
-    LearntOdometry clean({});
+    LearntOdometry slipped;
+    LearntOdometry clean;
     for (LearntOdometry* odometry : {&slipped, &clean}) {
         drive(*odometry, 100.0, {}, held);
     }

@@ -37,7 +37,6 @@ TEST(FilterSettings, LeaveNoFieldOut) {
     EXPECT_EQ(json.at("fusion").size(), field_count<FusionSettings>());
     EXPECT_EQ(json.at("eigenvalue_gate").size(), field_count<EigenvalueGateSettings>());
     EXPECT_EQ(json.at("enhanced_resampling").size(), field_count<EnhancedResamplingSettings>());
-    EXPECT_EQ(json.at("odometry_learning").size(), field_count<OdometryLearning>());
     EXPECT_EQ(json.at("motion").size(), field_count<MotionNoise>());
     EXPECT_EQ(json.at("grid").size(), field_count<OccupancySettings>());
     EXPECT_EQ(json.at("points").size(), field_count<ScanPointsSettings>());

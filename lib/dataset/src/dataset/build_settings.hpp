@@ -1,9 +1,10 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "dataset/labels.hpp"
-#include "ddtool/system/settings.hpp"
+#include "system/setting_rows.hpp"
 
 namespace ddtool::dataset {
 
@@ -27,11 +28,17 @@ struct AssemblySettings {
     std::uint64_t shard_megabytes = 64;  ///< a shard is closed when its particles reach it
 };
 
+/// What is known of each setting of a build, in the order of their JSON.
+std::vector<Setting> build_setting_list();
+
 /// Every setting of a build with its default: the keys a configuration may have. docs/dataset.md explains them.
 Json default_build_json();
 
 /// Throws UsageError naming the key for a value that makes no sense.
 AssemblySettings assembly_from_json(const Json& settings);
 ThinningSettings thinning_from_json(const Json& thinning);
+
+/// What the runs themselves are made by, but for their items. Throws UsageError naming the key, too.
+void expect_valid_plan(const Json& settings);
 
 }  // namespace ddtool::dataset

@@ -4,7 +4,9 @@
 #include <set>
 
 #include "base/pattern.hpp"
+#include "dataset/build_settings.hpp"
 #include "dataset/mix.hpp"
+#include "dataset/run_id.hpp"
 #include "ddtool/base/error.hpp"
 #include "methods/settings_json.hpp"
 #include "sim/simulation_json.hpp"
@@ -100,6 +102,7 @@ private:
     void add_log(const Json& item, const std::string& where) {
         const auto path = item.at("log").get<std::string>();
         const Mix mix = mix_from_json(item.at("mix"), where);
+        expect_allowed(item.at("range_sd_m"), Allowed::number(1e-6, 100.0), "m", where + ".range_sd_m");
         const std::string name = std::filesystem::path(path).stem().string();
         const std::string content = file_fingerprint(path);
         add_source(SourceKind::log, name);
@@ -168,16 +171,8 @@ private:
             simulation["odometry"]["preset"] = *variant.odometry;
         }
         simulation["seed"] = seed;
+        (void)sim::simulation_from_json(simulation, "simulation");
         return simulation;
-    }
-
-    /// The id decides which of a run's snapshots are kept. `filter.gate` was added after data sets had been published:
-    /// where nobody names a gate, it must not change them.
-    static jobs::Key key_of(Json configuration) {
-        if (configuration.contains("filter") && configuration.at("filter").at("gate") == "") {
-            configuration["filter"].erase("gate");
-        }
-        return jobs::Key(std::move(configuration));
     }
 
     template <typename Source>
@@ -185,7 +180,7 @@ private:
         configuration["format"] = plan_format;
         configuration["seed"] = settings_.at("seed");
         configuration["thinning"] = settings_.at("thinning");
-        jobs::Key key = key_of(std::move(configuration));
+        jobs::Key key(identity_of(std::move(configuration)));
         entry.source = static_cast<std::uint32_t>(plan_.sources.size() - 1);
         entry.id = key.id();
         if (ids_.insert(entry.id).second) {
@@ -201,7 +196,10 @@ private:
 
 }  // namespace
 
-RunPlan plan_runs(const Json& settings) { return Planner(settings).plan(); }
+RunPlan plan_runs(const Json& settings) {
+    expect_valid_plan(settings);
+    return Planner(settings).plan();
+}
 
 std::string title_of(const RunPlan& plan, const PlannedRun& run) {
     std::string title = plan.sources[run.entry.source].name;

@@ -3,8 +3,9 @@
 #include <optional>
 
 namespace ddtool {
-FilterRun run_filter(SensorStream& stream, Rbpf& filter, const FrameObserver& observe) {
-    FilterRun run;
+namespace {
+
+void feed(SensorStream& stream, Rbpf& filter, const FrameObserver& observe, FilterRun& run) {
     bool wanted = true;
     while (wanted) {
         const std::optional<SensorFrame> frame = timed(run.read_s, [&] { return stream.next(); });
@@ -21,6 +22,20 @@ FilterRun run_filter(SensorStream& stream, Rbpf& filter, const FrameObserver& ob
             run.ground_truth.push_back({frame->scan.stamp_ns, *frame->world_from_robot});
         }
         wanted = observe(*frame, update);
+    }
+}
+
+}  // namespace
+
+FilterRun run_filter(SensorStream& stream, Rbpf& filter, const FrameObserver& observe) {
+    FilterRun run;
+    try {
+        feed(stream, filter, observe, run);
+    } catch (const MapTooLarge& reason) {
+        if (run.updates == 0) {
+            throw;
+        }
+        run.ended_early = reason.what();
     }
     if (run.updates > 0) {
         run.map = filter.best().grid;

@@ -50,7 +50,7 @@ Eigen::Matrix3d credible_information(const Eigen::Matrix3d& match_information,
 }
 
 ScanMatch InformationFusion::correct(const MatchContext& context, const ScanMatch& found) const {
-    const bool matched = found.accepted(context.min_match_score);
+    const bool matched = found.accepted();
     if (matched && context.degeneracy.degree < settings_.least_degree) {
         return found;
     }
@@ -58,8 +58,7 @@ ScanMatch InformationFusion::correct(const MatchContext& context, const ScanMatc
     Eigen::Vector3d apart = Eigen::Vector3d::Zero();
     Eigen::Matrix3d odometry = context.odometry_information;
     if (matched) {
-        match =
-            credible_information(found.information, odometry, settings_.normal_error_rad, context.degeneracy.degree);
+        match = credible_information(found.information, odometry, normal_error_rad, context.degeneracy.degree);
         apart = match_offset(context, found);
         odometry = cautious(odometry, match, apart, settings_.most_deviations);
     }

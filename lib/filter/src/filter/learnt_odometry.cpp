@@ -50,15 +50,15 @@ void LearntOdometry::NoiseRate::add(double ratio, double share, double most_chor
     chords = kept * chords + share;
 }
 
-LearntOdometry::LearntOdometry(const OdometryLearning& settings)
-    : settings_(settings), scale_{0.0, squared(settings.scale_sd)}, bias_{0.0, squared(settings.bias_sd_rad_per_s)} {
-    const auto assumed = [&](double per_root) {
-        return NoiseRate{settings_.noise_chords * squared(per_root), settings_.noise_chords};
+LearntOdometry::LearntOdometry()
+    : scale_{0.0, squared(OdometryLearning::scale_sd)}, bias_{0.0, squared(OdometryLearning::bias_sd_rad_per_s)} {
+    const auto assumed = [](double per_root) {
+        return NoiseRate{OdometryLearning::noise_chords * squared(per_root), OdometryLearning::noise_chords};
     };
-    along_per_m_ = assumed(settings_.noise.translation_per_translation);
-    along_per_rad_ = assumed(settings_.noise.translation_per_rotation);
-    turn_per_m_ = assumed(settings_.noise.rotation_per_translation);
-    turn_per_rad_ = assumed(settings_.noise.rotation_per_rotation);
+    along_per_m_ = assumed(OdometryLearning::noise.translation_per_translation);
+    along_per_rad_ = assumed(OdometryLearning::noise.translation_per_rotation);
+    turn_per_m_ = assumed(OdometryLearning::noise.rotation_per_translation);
+    turn_per_rad_ = assumed(OdometryLearning::noise.rotation_per_rotation);
 }
 
 double LearntOdometry::scale_sd() const { return std::sqrt(scale_.variance); }
@@ -85,9 +85,9 @@ MotionSigmas LearntOdometry::sigmas(const Pose2& odometry_motion, double duratio
     const MotionSigmas random = motion_sigmas(odometry_motion, noise());
     const double scale_variance = scale_.variance * constant_error_horizon_m * length_m(odometry_motion);
     const double bias_variance = bias_.variance * constant_error_horizon_s * duration_s;
-    return {settings_.caution * std::sqrt(squared(random.x_m) + scale_variance),
-            settings_.caution * std::sqrt(squared(random.y_m)),
-            settings_.caution * std::sqrt(squared(random.theta_rad) + bias_variance)};
+    return {OdometryLearning::caution * std::sqrt(squared(random.x_m) + scale_variance),
+            OdometryLearning::caution * std::sqrt(squared(random.y_m)),
+            OdometryLearning::caution * std::sqrt(squared(random.theta_rad) + bias_variance)};
 }
 
 void LearntOdometry::learn(const ObservedMotion& motion) {
@@ -99,7 +99,7 @@ void LearntOdometry::learn(const ObservedMotion& motion) {
     chord_.duration_s += motion.duration_s;
     chord_.along_sd_m = std::max(chord_.along_sd_m, sds.along_m);
     chord_.heading_sd_rad = std::max(chord_.heading_sd_rad, sds.heading_rad);
-    if (chord_.way_m < settings_.chord_m && chord_.turn_rad < settings_.chord_turn_rad) {
+    if (chord_.way_m < OdometryLearning::chord_m && chord_.turn_rad < OdometryLearning::chord_turn_rad) {
         return;
     }
     chord_.matched = between(motion.pose_before(chord_.updates), motion.pose_before(0));
@@ -109,7 +109,7 @@ void LearntOdometry::learn(const ObservedMotion& motion) {
 }
 
 void LearntOdometry::learn_scale() {
-    if (chord_.along_sd_m > settings_.observed_sd_m || chord_.turn_rad > straight_rad) {
+    if (chord_.along_sd_m > OdometryLearning::observed_sd_m || chord_.turn_rad > straight_rad) {
         return;
     }
     const double length = chord_.odometry.x_m;
@@ -118,12 +118,12 @@ void LearntOdometry::learn_scale() {
     const double ratio = std::min(squared(residual - scale_.mean * length) / variance, squared(most_deviations));
     const double way_share = along_per_m_.rate() * chord_.way_m / variance;
     scale_.correct(residual, length, variance);
-    along_per_m_.add(ratio, way_share, settings_.remembered_chords);
-    along_per_rad_.add(ratio, 1.0 - way_share, settings_.remembered_chords);
+    along_per_m_.add(ratio, way_share, OdometryLearning::remembered_chords);
+    along_per_rad_.add(ratio, 1.0 - way_share, OdometryLearning::remembered_chords);
 }
 
 void LearntOdometry::learn_turn() {
-    if (chord_.heading_sd_rad > settings_.observed_sd_rad) {
+    if (chord_.heading_sd_rad > OdometryLearning::observed_sd_rad) {
         return;
     }
     const double residual = wrap_angle(chord_.matched.theta_rad - chord_.odometry.theta_rad);
@@ -132,8 +132,8 @@ void LearntOdometry::learn_turn() {
         std::min(squared(residual - bias_.mean * chord_.duration_s) / variance, squared(most_deviations));
     const double way_share = turn_per_m_.rate() * chord_.way_m / variance;
     bias_.correct(residual, chord_.duration_s, variance);
-    turn_per_m_.add(ratio, way_share, settings_.remembered_chords);
-    turn_per_rad_.add(ratio, 1.0 - way_share, settings_.remembered_chords);
+    turn_per_m_.add(ratio, way_share, OdometryLearning::remembered_chords);
+    turn_per_rad_.add(ratio, 1.0 - way_share, OdometryLearning::remembered_chords);
 }
 
 }  // namespace ddtool

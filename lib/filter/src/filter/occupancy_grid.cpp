@@ -75,33 +75,58 @@ OccupancyGrid::OccupancyGrid(const OccupancySettings& settings) : settings_(sett
 
 namespace {
 
+/// Columns or rows of patches.
+struct PatchSpan {
+    int first = 0;
+    int end = 0;
+
+    [[nodiscard]] std::int64_t size() const { return std::int64_t{end} - first; }
+};
+
+PatchSpan patches_about(int first_cell, int end_cell) {
+    return {(first_cell - OccupancyGrid::field_radius) >> Patch::size_bits,
+            ((end_cell + OccupancyGrid::field_radius) >> Patch::size_bits) + 1};
+}
+
 void expect_possible(std::int64_t columns, std::int64_t rows, double cell_size_m) {
     if (columns * rows > OccupancyGrid::most_patches) {
         const double patch_km = 1e-3 * cell_size_m * Patch::size_cells;
-        throw Error("a map of " + fixed_text(static_cast<double>(columns) * patch_km, 1) + " km by " +
-                    fixed_text(static_cast<double>(rows) * patch_km, 1) +
-                    " km: the poses jump; expected an odometry in metres that goes on from where it was");
+        throw MapTooLarge("a map of " + fixed_text(static_cast<double>(columns) * patch_km, 1) + " km by " +
+                          fixed_text(static_cast<double>(rows) * patch_km, 1) +
+                          " km: the poses jump; expected an odometry in metres that goes on from where it was");
+    }
+}
+
+/// Where `more` bytes are about to be taken.
+void expect_memory(std::int64_t more, std::uint64_t most_mib) {
+    constexpr int mib_bits = 20;
+    if (most_mib > 0 && MapBytes::live.load(std::memory_order_relaxed) + static_cast<std::size_t>(more) >
+                            static_cast<std::size_t>(most_mib) << mib_bits) {
+        throw MapTooLarge("the maps do not fit into " + std::to_string(most_mib) +
+                          " MiB; expected fewer particles, larger cells, or a larger filter.grid.most_memory_mib");
     }
 }
 
 }  // namespace
 
 void OccupancyGrid::reserve(const CellBox& box) {
-    const int first_column = (box.x_min - field_radius) >> Patch::size_bits;
-    const int first_row = (box.y_min - field_radius) >> Patch::size_bits;
-    const int end_column = ((box.x_max + field_radius) >> Patch::size_bits) + 1;
-    const int end_row = ((box.y_max + field_radius) >> Patch::size_bits) + 1;
-    if (columns_ > 0 && first_column >= first_column_ && first_row >= first_row_ &&
-        end_column <= first_column_ + columns_ && end_row <= first_row_ + rows_) {
+    const PatchSpan columns = patches_about(box.x_min, box.x_max);
+    const PatchSpan rows = patches_about(box.y_min, box.y_max);
+    const std::int64_t written = columns.size() * rows.size() * static_cast<std::int64_t>(sizeof(Patch));
+    if (columns_ > 0 && columns.first >= first_column_ && rows.first >= first_row_ &&
+        columns.end <= first_column_ + columns_ && rows.end <= first_row_ + rows_) {
+        expect_memory(written, settings_.most_memory_mib);
         return;
     }
     OccupancyGrid larger(settings_);
     const bool fresh = columns_ == 0;
-    larger.first_column_ = fresh ? first_column : std::min(first_column, first_column_);
-    larger.first_row_ = fresh ? first_row : std::min(first_row, first_row_);
-    larger.columns_ = std::max(end_column, fresh ? end_column : first_column_ + columns_) - larger.first_column_;
-    larger.rows_ = std::max(end_row, fresh ? end_row : first_row_ + rows_) - larger.first_row_;
+    larger.first_column_ = fresh ? columns.first : std::min(columns.first, first_column_);
+    larger.first_row_ = fresh ? rows.first : std::min(rows.first, first_row_);
+    larger.columns_ = std::max(columns.end, fresh ? columns.end : first_column_ + columns_) - larger.first_column_;
+    larger.rows_ = std::max(rows.end, fresh ? rows.end : first_row_ + rows_) - larger.first_row_;
     expect_possible(larger.columns_, larger.rows_, settings_.cell_size_m);
+    const std::int64_t patches = std::int64_t{larger.columns_} * larger.rows_;
+    expect_memory(written + patches * static_cast<std::int64_t>(sizeof(PatchPointer)), settings_.most_memory_mib);
     larger.patches_.resize(static_cast<std::size_t>(larger.columns_) * static_cast<std::size_t>(larger.rows_));
     for (int row = 0; row < rows_; ++row) {
         const auto source = patches_.begin() + static_cast<std::ptrdiff_t>(patch_index(0, row));

@@ -29,8 +29,7 @@ ScanMatch EigenvalueGate::correct(const MatchContext& context, const ScanMatch& 
     const Eigen::Matrix2d position = found.information.topLeftCorner<2, 2>();
     const Eigen::Vector2d eigenvalues =
         Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(position, Eigen::EigenvaluesOnly).eigenvalues();
-    const bool held =
-        found.accepted(context.min_match_score) && eigenvalues(0) > settings_.least_share * eigenvalues(1);
+    const bool held = found.accepted() && eigenvalues(0) > settings_.least_share * eigenvalues(1);
     return held ? found : by_odometry(context);
 }
 

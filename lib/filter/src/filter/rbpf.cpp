@@ -127,7 +127,7 @@ void Rbpf::match(const PreparedScan& scan, const Step& step) {
         ScanMatcher& matcher = workers_[worker].matcher;
         const Pose2 predicted = particle.pose_before * particle.predicted_motion;
         particle.match = matcher.match(particle.grid, scan.match_points, predicted, step.prior);
-        if (!particle.match.accepted(settings_.min_match_score)) {
+        if (!particle.match.accepted()) {
             particle.match = matcher.evaluate(particle.grid, scan.match_points, predicted);
         }
         particle.pose = particle.match.pose;
@@ -159,7 +159,6 @@ void Rbpf::correct(const PreparedScan& scan, const Step& step, const Degeneracy&
                 .odometry = before * step.expected_motion,
                 .odometry_information =
                     predicted_covariance(Eigen::Matrix3d::Zero(), before, step.expected_motion, step.sigmas).inverse(),
-                .min_match_score = settings_.min_match_score,
                 .degeneracy = degeneracy};
             const double matched = particle.match.log_likelihood;
             for (const auto& correction : strategies_.corrections) {

@@ -4,8 +4,6 @@
 #include <cmath>
 #include <string>
 
-#include "ddtool/base/error.hpp"
-
 namespace ddtool {
 namespace {
 
@@ -35,8 +33,8 @@ std::int8_t offset_in_cell(double cells) {
 /// Far enough out beams of their own length have no place.
 void expect_on_earth(const Point2& laser_m, double cell_size_m) {
     if (!(std::abs(laser_m.x_m) < most_cells * cell_size_m && std::abs(laser_m.y_m) < most_cells * cell_size_m)) {
-        throw Error("a scan taken at (" + std::to_string(laser_m.x_m) + " m, " + std::to_string(laser_m.y_m) +
-                    " m): the poses jump; expected an odometry in metres");
+        throw MapTooLarge("a scan taken at (" + std::to_string(laser_m.x_m) + " m, " + std::to_string(laser_m.y_m) +
+                          " m): the poses jump; expected an odometry in metres");
     }
 }
 

@@ -58,7 +58,7 @@ Pose2 ScanOdometryStream::match(const SensorFrame& frame, const ScanPoints& poin
     const Pose2 predicted = pose_ * at_same_speed(motion_, step_ns_, frame.scan.stamp_ns - stamp_ns_);
     const MatchPoints match_points(points, settings_.grid.cell_size_m);
     const ScanMatch found = matcher_.match(map_, match_points, predicted, surprise);
-    return found.accepted(settings_.min_match_score) ? found.pose : predicted;
+    return found.accepted() ? found.pose : predicted;
 }
 
 void ScanOdometryStream::enter(const ScanPoints& points) {

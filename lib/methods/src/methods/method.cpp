@@ -5,6 +5,7 @@
 #include "ddtool/base/error.hpp"
 #include "ddtool/network/shipped_model.hpp"
 #include "ddtool/system/settings.hpp"
+#include "system/process_usage.hpp"
 
 namespace ddtool {
 namespace {
@@ -42,48 +43,48 @@ template <typename Part>
 using Choices = std::vector<std::pair<std::string, Part>>;
 
 template <typename Part>
-Part chosen(const Choices<Part>& choices, const std::string& key, const std::string& name) {
+std::vector<std::string> names_of(const Choices<Part>& choices) {
     std::vector<std::string> names;
+    for (const auto& [name, part] : choices) {
+        names.push_back(name);
+    }
+    return names;
+}
+
+template <typename Part>
+Part chosen(const Choices<Part>& choices, const std::string& key, const std::string& name) {
     for (const auto& [known, part] : choices) {
         if (known == name) {
             return part;
         }
-        names.push_back(known);
     }
-    throw UsageError("filter." + key + ": expected " + joined(names) + ", not '" + name + "'");
+    throw UsageError("filter." + key + ": expected " + joined(names_of(choices)) + ", not '" + name + "'");
 }
 
 using Correction = std::shared_ptr<const PoseCorrection>;
 
-Correction search_of(const std::string& name, const MethodSettings& settings) {
-    return chosen<Correction>({{"none", nullptr},
-                               {"coarse-fine", std::make_shared<CoarseFineSearch>(settings.coarse_fine)},
-                               {"correlative", std::make_shared<CorrelativeSearch>(settings.correlative)}},
-                              "search", name);
+Choices<Correction> search_choices(const MethodSettings& settings) {
+    return {{"none", nullptr},
+            {"coarse-fine", std::make_shared<CoarseFineSearch>(settings.coarse_fine)},
+            {"correlative", std::make_shared<CorrelativeSearch>(settings.correlative)}};
 }
 
-Correction trust_of(const std::string& name, const MethodSettings& settings) {
-    return chosen<Correction>({{"none", nullptr},
-                               {"lidar-score", std::make_shared<LidarScoreTrust>()},
-                               {"information", std::make_shared<InformationFusion>(settings.fusion)},
-                               {"eigenvalue-gate", std::make_shared<EigenvalueGate>(settings.eigenvalue_gate)},
-                               {"odometry", std::make_shared<OdometryTrust>()}},
-                              "trust", name);
+Choices<Correction> trust_choices(const MethodSettings& settings) {
+    return {{"none", nullptr},
+            {"lidar-score", std::make_shared<LidarScoreTrust>()},
+            {"information", std::make_shared<InformationFusion>(settings.fusion)},
+            {"eigenvalue-gate", std::make_shared<EigenvalueGate>(settings.eigenvalue_gate)},
+            {"odometry", std::make_shared<OdometryTrust>()}};
 }
 
-std::shared_ptr<const Resampling> resampling_of(const std::string& name, const MethodSettings& settings) {
-    return chosen<std::shared_ptr<const Resampling>>(
-        {{"systematic", std::make_shared<SystematicResampling>()},
-         {"enhanced", std::make_shared<EnhancedResampling>(settings.enhanced_resampling)}},
-        "resampling", name);
+Choices<std::shared_ptr<const Resampling>> resampling_choices(const MethodSettings& settings) {
+    return {{"systematic", std::make_shared<SystematicResampling>()},
+            {"enhanced", std::make_shared<EnhancedResampling>(settings.enhanced_resampling)}};
 }
 
-std::function<std::unique_ptr<OdometryModel>()> odometry_of(const std::string& name, const FilterSettings& settings) {
-    return chosen<std::function<std::unique_ptr<OdometryModel>()>>(
-        {{"as-logged", [noise = settings.rbpf.motion] { return std::make_unique<FixedOdometry>(noise); }},
-         {"learnt",
-          [learning = settings.method.odometry_learning] { return std::make_unique<LearntOdometry>(learning); }}},
-        "odometry", name);
+Choices<std::function<std::unique_ptr<OdometryModel>()>> odometry_choices(const FilterSettings& settings) {
+    return {{"as-logged", [noise = settings.rbpf.motion] { return std::make_unique<FixedOdometry>(noise); }},
+            {"learnt", [] { return std::make_unique<LearntOdometry>(); }}};
 }
 
 FilterStrategies strategies_of(const FilterSettings& settings, const DetectorTable& detectors) {
@@ -91,11 +92,19 @@ FilterStrategies strategies_of(const FilterSettings& settings, const DetectorTab
     FilterStrategies strategies{
         .detector = gated(parts.gate, detectors.make(parts.detector, settings.method.detection, settings.rbpf.motion),
                           settings.method.detection),
-        .corrections = {search_of(parts.search, settings.method), trust_of(parts.trust, settings.method)},
-        .resampling = resampling_of(parts.resampling, settings.method),
-        .odometry = odometry_of(parts.odometry, settings)};
+        .corrections = {chosen(search_choices(settings.method), "search", parts.search),
+                        chosen(trust_choices(settings.method), "trust", parts.trust)},
+        .resampling = chosen(resampling_choices(settings.method), "resampling", parts.resampling),
+        .odometry = chosen(odometry_choices(settings), "odometry", parts.odometry)};
     std::erase(strategies.corrections, nullptr);
     return strategies;
+}
+
+/// Three quarters of what the machine had free when the first filter was made: all maps of the process count together.
+std::uint64_t usual_most_memory_mib() {
+    constexpr std::uint64_t bytes_per_mib = 1U << 20U;
+    static const std::uint64_t most_mib = available_memory_bytes() / 4 * 3 / bytes_per_mib;
+    return most_mib;
 }
 
 }  // namespace
@@ -107,6 +116,11 @@ std::vector<std::string> method_names() {
     }
     return names;
 }
+
+std::vector<std::string> search_names() { return names_of(search_choices({})); }
+std::vector<std::string> trust_names() { return names_of(trust_choices({})); }
+std::vector<std::string> resampling_names() { return names_of(resampling_choices({})); }
+std::vector<std::string> odometry_names() { return names_of(odometry_choices({})); }
 
 MethodParts parts_of(const MethodSettings& settings) {
     MethodParts parts = method_of(settings.method).parts;
@@ -126,6 +140,9 @@ std::unique_ptr<Rbpf> make_filter(const FilterSettings& settings, const Detector
     RbpfSettings rbpf = settings.rbpf;
     if (method_of(settings.method.method).single_hypothesis) {
         rbpf.particles = 1;
+    }
+    if (rbpf.grid.most_memory_mib == 0) {
+        rbpf.grid.most_memory_mib = usual_most_memory_mib();
     }
     return std::make_unique<Rbpf>(rbpf, threads, strategies_of(settings, detectors));
 }

@@ -1,67 +1,266 @@
 #include "methods/settings_json.hpp"
 
-#include <algorithm>
-#include <limits>
 #include <string>
+#include <utility>
 
 #include "ddtool/base/error.hpp"
-#include "ddtool/system/json_struct.hpp"
 
 namespace ddtool {
-
-DDTOOL_JSON_STRUCT(MotionNoise, translation_per_translation, translation_per_rotation, rotation_per_translation,
-                   rotation_per_rotation)
-DDTOOL_JSON_STRUCT(OccupancySettings, cell_size_m, hit_step, free_step, min_log_odds, max_log_odds)
-DDTOOL_JSON_STRUCT(ScanPointsSettings, usable_range_m, spacing_m, normal_radius_m, line_flatness)
-DDTOOL_JSON_STRUCT(ScanMatcherSettings, reach_m, max_iterations, beam_sigma_m, doubtful_score, search_turn_rad,
-                   search_distance_m)
-DDTOOL_JSON_STRUCT(RbpfSettings, particles, seed, update_distance_m, update_turn_rad, resample_share, likelihood_gain,
-                   min_match_score, insert_distance_m, insert_turn_rad, motion, grid, points, matcher)
-
-DDTOOL_JSON_STRUCT(MethodParts, detector, gate, search, trust, resampling, odometry)
-DDTOOL_JSON_STRUCT(DetectionSettings, covariance_sd_m, doubt_share, every_m)
-DDTOOL_JSON_STRUCT(CoarseFineSettings, step_m, turn_rad)
-DDTOOL_JSON_STRUCT(CorrelativeSearchSettings, window_m, window_rad, steps, levels, degenerate_share)
-DDTOOL_JSON_STRUCT(FusionSettings, least_degree, normal_error_rad, most_deviations, settled_m, settled_rad)
-DDTOOL_JSON_STRUCT(EigenvalueGateSettings, least_share)
-DDTOOL_JSON_STRUCT(EnhancedResamplingSettings, drop_below, perturbation_m, least_weight, most_weight)
-DDTOOL_JSON_STRUCT(OdometryLearning, scale_sd, bias_sd_rad_per_s, noise, noise_chords, remembered_chords, chord_m,
-                   chord_turn_rad, observed_sd_m, observed_sd_rad, caution)
-
 namespace {
 
-constexpr double smallest = std::numeric_limits<double>::min();
+constexpr double half_turn_rad = 3.15;
+constexpr const char* grisetti = "Grisetti et al. 2007";
 
-void expect_between(const Json& json, const std::string& path, double least, double most, const std::string& expected) {
-    const Json::json_pointer pointer("/" + path);
-    const double value = json.at(pointer);
-    if (!(value >= least && value <= most)) {
-        std::string key = "filter." + path;
-        std::replace(key.begin(), key.end(), '/', '.');
-        throw UsageError(key + ": expected " + expected + ", not " + json.at(pointer).dump());
-    }
+const SettingTable<MotionNoise>& motion_rows() {
+    // Without any noise the information of the odometry is infinite.
+    const Allowed noise = Allowed::number(1e-4, 10.0);
+    const std::string source = "the defaults are GMapping's at its step of 1 m and 1 rad";
+    static const SettingTable<MotionNoise> rows{
+        {"translation_per_translation", &MotionNoise::translation_per_translation, noise, "m/sqrt(m)",
+         "Noise of the way that grows with the way.", source},
+        {"translation_per_rotation", &MotionNoise::translation_per_rotation, noise, "m/sqrt(rad)",
+         "Noise of the way that grows with turning.", source},
+        {"rotation_per_translation", &MotionNoise::rotation_per_translation, noise, "rad/sqrt(m)",
+         "Noise of the heading that grows with the way.", source},
+        {"rotation_per_rotation", &MotionNoise::rotation_per_rotation, noise, "rad/sqrt(rad)",
+         "Noise of the heading that grows with turning.", source},
+    };
+    return rows;
 }
 
-void expect_above_zero(const Json& json, const std::string& path) {
-    expect_between(json, path, smallest, std::numeric_limits<double>::max(), "a number above 0");
+const SettingTable<OccupancySettings>& grid_rows() {
+    using Grid = OccupancySettings;
+    static const SettingTable<Grid> rows{
+        {"cell_size_m", &Grid::cell_size_m, Allowed::number(0.005, 1.0), "m",
+         "Side of a cell of the map; the memory grows with its inverse square.", "everything was measured at 0.05"},
+        {"hit_step", &Grid::hit_step, Allowed::whole(1, 27), "",
+         "Evidence for \"occupied\" that a beam ending in a cell adds, in steps of log odds.",
+         "a cell is occupied when the share free_step / (hit_step + free_step) of its observations are hits"},
+        {"free_step", &Grid::free_step, Allowed::whole(1, 27), "",
+         "Evidence for \"free\" that a beam passing through a cell adds, in steps of log odds.", "see hit_step"},
+        {"min_log_odds", &Grid::min_log_odds, Allowed::whole(-100, -1), "",
+         "A cell is never more certainly free than this, in steps of log odds.", "8-bit cells"},
+        {"max_log_odds", &Grid::max_log_odds, Allowed::whole(1, 100), "",
+         "A cell is never more certainly occupied than this, in steps of log odds.", "8-bit cells"},
+        {"most_memory_mib", &Grid::most_memory_mib, Allowed::whole(0, 1e9), "MiB",
+         "The run ends with what it has when all maps together would take more; 0 stands for three quarters of the "
+         "memory that the machine has free."},
+    };
+    return rows;
+}
+
+const SettingTable<ScanPointsSettings>& points_rows() {
+    using Points = ScanPointsSettings;
+    static const SettingTable<Points> rows{
+        {"usable_range_m", &Points::usable_range_m, Allowed::number(0.1, 800.0), "m",
+         "Longer ranges are left out: their end points are far from each other, and some drivers report them where "
+         "nothing was met."},
+        {"spacing_m", &Points::spacing_m, Allowed::number(0.0, 10.0), "m",
+         "Neighbouring end points that are nearer than this are merged into one."},
+    };
+    return rows;
+}
+
+const SettingTable<ScanMatcherSettings>& matcher_rows() {
+    using Matcher = ScanMatcherSettings;
+    static const SettingTable<Matcher> rows{
+        {"reach_m", &Matcher::reach_m, Allowed::number(0.005, 10.0), "m",
+         "A beam that ends farther than this from any occupied point says nothing about the pose.", "Tukey's biweight"},
+        {"max_iterations", &Matcher::max_iterations, Allowed::whole(1, 1000), "",
+         "A match ends after so many Gauss-Newton steps, converged or not."},
+        {"beam_sigma_m", &Matcher::beam_sigma_m, Allowed::number(1e-3, 10.0), "m",
+         "Standard deviation of the distance from an end point to the mapped surface.",
+         "likelihood field, Thrun et al. 2005, 6.4"},
+        {"doubtful_score", &Matcher::doubtful_score, Allowed::number(0.0, 1.0), "",
+         "A match with a lower mean score per beam is tried again from a wide search."},
+        {"search_turn_rad", &Matcher::search_turn_rad, Allowed::number(0.0, half_turn_rad), "rad",
+         "The wide search tries turns of up to this size, to each side."},
+        {"search_distance_m", &Matcher::search_distance_m, Allowed::number(0.0, 10.0), "m",
+         "The wide search tries shifts of up to this size, to each side."},
+    };
+    return rows;
+}
+
+const SettingTable<RbpfSettings>& rbpf_rows() {
+    using Rbpf = RbpfSettings;
+    static const SettingTable<Rbpf> rows{
+        {"particles", &Rbpf::particles, Allowed::whole(1, 10000), "",
+         "Number of hypotheses, each with its own map; time and memory grow with it.", grisetti},
+        {"seed", &Rbpf::seed, Allowed::seed(), "",
+         "Everything that is drawn by chance follows from it: the same seed gives the same result."},
+        {"update_distance_m", &Rbpf::update_distance_m, Allowed::number(1e-3, 100.0), "m",
+         "The filter updates when the odometry has moved this far since the last update.", grisetti},
+        {"update_turn_rad", &Rbpf::update_turn_rad, Allowed::number(1e-3, 100.0), "rad",
+         "The filter updates, too, when the odometry has turned this much.", grisetti},
+        {"resample_share", &Rbpf::resample_share, Allowed::number(0.0, 1.0), "",
+         "The filter resamples when the effective sample size falls below this share of the particles.",
+         "Doucet et al. 2000; Grisetti et al. 2007, eq. 20"},
+        {"likelihood_gain", &Rbpf::likelihood_gain, Allowed::number(0.0, 10.0), "",
+         "Exponent on the likelihood of a scan: neighbouring beams and scans err together, so that their product is "
+         "too sure."},
+        {"insert_distance_m", &Rbpf::insert_distance_m, Allowed::number(0.0, 100.0), "m",
+         "A scan enters the map when the odometry has moved this far since the last one that did."},
+        {"insert_turn_rad", &Rbpf::insert_turn_rad, Allowed::number(0.0, 100.0), "rad",
+         "A scan enters the map, too, when the odometry has turned this much."},
+        {"motion", &Rbpf::motion, motion_rows()},
+        {"grid", &Rbpf::grid, grid_rows()},
+        {"points", &Rbpf::points, points_rows()},
+        {"matcher", &Rbpf::matcher, matcher_rows()},
+    };
+    return rows;
+}
+
+/// One of these, or nothing, for the one that the method has.
+Allowed part_of(std::vector<std::string> names) {
+    names.insert(names.begin(), "");
+    return Allowed::one_of(std::move(names));
+}
+
+const SettingTable<MethodParts>& parts_rows() {
+    using Parts = MethodParts;
+    static const SettingTable<Parts> rows{
+        {"detector", &Parts::detector, Allowed::text(), "",
+         "What tells the degree of degeneracy: a name, or the file of a network; empty for the method's own."},
+        {"gate", &Parts::gate, part_of(gate_names()), "",
+         "When the detector is asked: in-doubt, where matching is in doubt, or none, at every update; empty for the "
+         "one "
+         "that goes with the detector."},
+        {"search", &Parts::search, part_of(search_names()), "",
+         "A second search for the match; empty for the method's own."},
+        {"trust", &Parts::trust, part_of(trust_names()), "",
+         "How match and odometry are weighed; empty for the method's own."},
+        {"resampling", &Parts::resampling, part_of(resampling_names()), "",
+         "How the next generation of particles is drawn; empty for the method's own."},
+        {"odometry", &Parts::odometry, part_of(odometry_names()), "",
+         "What is taken for the motion: the odometry as logged, or with its learnt errors taken off; empty for the "
+         "method's own."},
+    };
+    return rows;
+}
+
+const SettingTable<DetectionSettings>& detection_rows() {
+    using Detection = DetectionSettings;
+    static const SettingTable<Detection> rows{
+        {"covariance_sd_m", &Detection::covariance_sd_m, Allowed::number(1e-4, 100.0), "m",
+         "The detector covariance answers 0.5 where the swarm's larger standard deviation is this.",
+         "Lee et al. 2024, Switch-SLAM"},
+        {"doubt_share", &Detection::doubt_share, Allowed::number(0.0, 10.0), "",
+         "The detector is asked where the match left this share of the predicted spread or more; 0 asks always."},
+        {"every_m", &Detection::every_m, Allowed::number(0.0, 1000.0), "m",
+         "The robot drives this far before the detector is asked again."},
+    };
+    return rows;
+}
+
+const SettingTable<CoarseFineSettings>& coarse_fine_rows() {
+    using Search = CoarseFineSettings;
+    const std::string source = "the paper, fig. system_pipeline";
+    static const SettingTable<Search> rows{
+        {"step_m", &Search::step_m, Allowed::number(1e-4, 10.0), "m",
+         "The coarse search of coarse-fine steps this far, in eight directions.", source},
+        {"turn_rad", &Search::turn_rad, Allowed::number(1e-4, half_turn_rad), "rad",
+         "The coarse search of coarse-fine turns this much, to each side.", source},
+    };
+    return rows;
+}
+
+const SettingTable<CorrelativeSearchSettings>& correlative_rows() {
+    using Search = CorrelativeSearchSettings;
+    const std::string source = "Olson 2009";
+    static const SettingTable<Search> rows{
+        {"window_m", &Search::window_m, Allowed::number(1e-4, 10.0), "m",
+         "The lattice of correlative reaches this far from the odometry's pose.", source},
+        {"window_rad", &Search::window_rad, Allowed::number(1e-4, half_turn_rad), "rad",
+         "The lattice of correlative turns this far from the odometry's heading.", source},
+        {"steps", &Search::steps, Allowed::whole(1, 20), "",
+         "The lattice has so many steps to each side in every direction; time grows with its cube.", source},
+        {"levels", &Search::levels, Allowed::whole(1, 10), "",
+         "The lattice is refined so many times; the window of each level is one step of the level before.", source},
+        {"degenerate_share", &Search::degenerate_share, Allowed::number(0.0, 1.0), "",
+         "The weak direction is not searched where the smaller eigenvalue of the normals' scatter is at most this "
+         "share of the larger."},
+    };
+    return rows;
+}
+
+const SettingTable<FusionSettings>& fusion_rows() {
+    using Fusion = FusionSettings;
+    static const SettingTable<Fusion> rows{
+        {"least_degree", &Fusion::least_degree, Allowed::number(0.0, 1.0), "",
+         "The trust information leaves a match as it is where the degree is lower."},
+        {"most_deviations", &Fusion::most_deviations, Allowed::number(0.1, 1000.0), "",
+         "Odometry that is farther from the match than this many standard deviations of both counts as less sure."},
+        {"settled_m", &Fusion::settled_m, Allowed::number(0.0, 1.0), "m",
+         "The scan is judged anew where the fusion moved the pose by more."},
+        {"settled_rad", &Fusion::settled_rad, Allowed::number(0.0, 1.0), "rad",
+         "The scan is judged anew where the fusion turned the pose by more."},
+    };
+    return rows;
+}
+
+const SettingTable<EigenvalueGateSettings>& eigenvalue_gate_rows() {
+    static const SettingTable<EigenvalueGateSettings> rows{
+        {"least_share", &EigenvalueGateSettings::least_share, Allowed::number(0.0, 1.0), "",
+         "The trust eigenvalue-gate takes the odometry's pose where the smaller eigenvalue of the match's information "
+         "about the position is below this share of the larger.",
+         "Zhang, Kaess, Singh 2016"},
+    };
+    return rows;
+}
+
+const SettingTable<EnhancedResamplingSettings>& enhanced_resampling_rows() {
+    using Resampling = EnhancedResamplingSettings;
+    const std::string source = "the paper, eq. random_perturbation";
+    static const SettingTable<Resampling> rows{
+        {"drop_below", &Resampling::drop_below, Allowed::number(0.0, 10.0), "",
+         "The resampling enhanced drops particles of a lower weight; the mean weight is one.", source},
+        {"perturbation_m", &Resampling::perturbation_m, Allowed::number(0.0, 10.0), "m",
+         "Standard deviation of the noise that moves a particle of the mean weight.", source},
+        {"least_weight", &Resampling::least_weight, Allowed::number(1e-3, 1.0), "",
+         "A lower weight counts as this one for the noise.", source},
+        {"most_weight", &Resampling::most_weight, Allowed::number(1.0, 1e6), "",
+         "A higher weight counts as this one for the noise.", source},
+    };
+    return rows;
+}
+
+/// The parts stand beside the settings of the filter; the settings of the parts are groups behind them.
+const SettingTable<FilterSettings>& filter_rows() {
+    using Method = MethodSettings;
+    static const SettingTable<Method> names{
+        {"method", &Method::method, Allowed::one_of(method_names()), "",
+         "What the filter does about degeneracy (docs/anti-degeneracy.md)."},
+        {&Method::parts, parts_rows()},
+    };
+    static const SettingTable<Method> parts{
+        {"detection", &Method::detection, detection_rows()},
+        {"coarse_fine", &Method::coarse_fine, coarse_fine_rows()},
+        {"correlative", &Method::correlative, correlative_rows()},
+        {"fusion", &Method::fusion, fusion_rows()},
+        {"eigenvalue_gate", &Method::eigenvalue_gate, eigenvalue_gate_rows()},
+        {"enhanced_resampling", &Method::enhanced_resampling, enhanced_resampling_rows()},
+    };
+    static const SettingTable<FilterSettings> rows{
+        {&FilterSettings::method, names},
+        {&FilterSettings::rbpf, rbpf_rows()},
+        {&FilterSettings::method, parts},
+    };
+    return rows;
+}
+
+/// The matcher counts cells from the robot, of which it has so many in each direction.
+void expect_in_reach(const RbpfSettings& settings) {
+    constexpr double most_cells_away = 16384.0;
+    if (settings.points.usable_range_m > most_cells_away * settings.grid.cell_size_m) {
+        throw UsageError("filter.points.usable_range_m: expected at most 16384 cells of filter.grid.cell_size_m");
+    }
 }
 
 }  // namespace
 
-Json filter_settings_json(const FilterSettings& settings) {
-    const MethodSettings& method = settings.method;
-    Json json{{"method", method.method}};
-    json.update(Json(method.parts));
-    json.update(Json(settings.rbpf));
-    json["detection"] = method.detection;
-    json["coarse_fine"] = method.coarse_fine;
-    json["correlative"] = method.correlative;
-    json["fusion"] = method.fusion;
-    json["eigenvalue_gate"] = method.eigenvalue_gate;
-    json["enhanced_resampling"] = method.enhanced_resampling;
-    json["odometry_learning"] = method.odometry_learning;
-    return json;
-}
+const std::vector<Setting>& filter_setting_list() { return filter_rows().settings(); }
+
+Json filter_settings_json(const FilterSettings& settings) { return filter_rows().json(settings); }
 
 Json parts_json(const MethodSettings& settings) { return parts_of(settings); }
 
@@ -72,28 +271,8 @@ Json common_filter_json() {
 }
 
 FilterSettings filter_settings_from_json(const Json& json) {
-    expect_between(json, "particles", 1, 1e6, "1 to 1000000");
-    expect_between(json, "seed", 0, 1.8e19, "a whole number, 0 or more");
-    for (const char* path : {"update_distance_m", "update_turn_rad", "grid/cell_size_m", "points/usable_range_m",
-                             "matcher/reach_m", "matcher/beam_sigma_m"}) {
-        expect_above_zero(json, path);
-    }
-    for (const char* path : {"grid/hit_step", "grid/free_step"}) {
-        expect_between(json, path, 1, 27, "1 to 27");
-    }
-    expect_between(json, "grid/min_log_odds", -100, -1, "-100 to -1");
-    expect_between(json, "grid/max_log_odds", 1, 100, "1 to 100");
-    FilterSettings settings{.rbpf = json.get<RbpfSettings>(),
-                            .method = {.method = json.at("method"),
-                                       .parts = json.get<MethodParts>(),
-                                       .detection = json.at("detection"),
-                                       .coarse_fine = json.at("coarse_fine"),
-                                       .correlative = json.at("correlative"),
-                                       .fusion = json.at("fusion"),
-                                       .eigenvalue_gate = json.at("eigenvalue_gate"),
-                                       .enhanced_resampling = json.at("enhanced_resampling"),
-                                       .odometry_learning = json.at("odometry_learning")}};
-    (void)parts_of(settings.method);  // an unknown method shows now
+    FilterSettings settings = filter_rows().checked(json, "filter");
+    expect_in_reach(settings.rbpf);
     return settings;
 }
 

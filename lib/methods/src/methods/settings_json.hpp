@@ -1,9 +1,14 @@
 #pragma once
 
+#include <vector>
+
 #include "ddtool/methods/method.hpp"
-#include "ddtool/system/settings.hpp"
+#include "system/setting_rows.hpp"
 
 namespace ddtool {
+
+/// What is known of each setting of the filter, in the order of their JSON.
+const std::vector<Setting>& filter_setting_list();
 
 /// Every setting of the filter with its value; keys are the fields' names.
 Json filter_settings_json(const FilterSettings& settings);

@@ -48,11 +48,11 @@ void add_side(const ScanPoints& points, std::size_t point, int step, double radi
 /// Neighbours farther apart than the radius are of one surface only if they lie on a line this well.
 constexpr double far_line_residual_m = 0.04;
 
-void set_normal(ScanPoints& points, std::size_t point, const ScanPointsSettings& settings) {
+void set_normal(ScanPoints& points, std::size_t point) {
     Moments m;
     m.add(0.0, 0.0);
-    add_side(points, point, 1, settings.normal_radius_m, m);
-    add_side(points, point, -1, settings.normal_radius_m, m);
+    add_side(points, point, 1, ScanPoints::normal_radius_m, m);
+    add_side(points, point, -1, ScanPoints::normal_radius_m, m);
     if (m.count < points_of_a_line) {
         return;
     }
@@ -61,13 +61,14 @@ void set_normal(ScanPoints& points, std::size_t point, const ScanPointsSettings&
     const double yy = m.yy / m.count - m.y * m.y / (m.count * m.count);
     const PrincipalAxes axes = principal_axes(xx, xy, yy);
     const double smallest = std::max(axes.smaller, 0.0);
-    if (std::sqrt(axes.larger) > settings.normal_radius_m && std::sqrt(smallest) > far_line_residual_m) {
+    if (std::sqrt(axes.larger) > ScanPoints::normal_radius_m && std::sqrt(smallest) > far_line_residual_m) {
         return;
     }
     points.normal_x[point] = static_cast<float>(-std::sin(axes.direction_rad));
     points.normal_y[point] = static_cast<float>(std::cos(axes.direction_rad));
     const double flatness = std::sqrt(smallest / std::max(axes.larger, 1e-12));
-    const double roughness = std::clamp((flatness - settings.line_flatness) / (1.0 - settings.line_flatness), 0.0, 1.0);
+    const double roughness =
+        std::clamp((flatness - ScanPoints::line_flatness) / (1.0 - ScanPoints::line_flatness), 0.0, 1.0);
     points.along_weight[point] = static_cast<float>(roughness * roughness);
 }
 
@@ -158,7 +159,7 @@ ScanPoints scan_points(const SensorFrame& frame, const ScanPointsSettings& setti
     points.normal_y.assign(points.size(), 0.0F);
     points.along_weight.assign(points.size(), 1.0F);
     for (std::size_t point = 0; point < points.size(); ++point) {
-        set_normal(points, point, settings);
+        set_normal(points, point);
     }
     return points;
 }

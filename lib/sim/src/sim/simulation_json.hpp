@@ -1,11 +1,15 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
-#include "ddtool/system/settings.hpp"
 #include "sim/simulation.hpp"
+#include "system/setting_rows.hpp"
 
 namespace ddtool::sim {
+
+/// What is known of each setting of a simulation, in the order of their JSON.
+std::vector<Setting> simulation_setting_list();
 
 /// Every setting of a simulation with its default: the keys a configuration may have. In `lidar` and `odometry` the
 /// `preset` names where the values come from, and null leaves a value to it.
@@ -15,7 +19,7 @@ Json default_simulation_json();
 Json common_simulation_json();
 
 /// The world is named beside the settings, as `world`; see load_world(). Throws UsageError naming the key for an
-/// unknown preset or a value that makes no sense.
-SimulationSettings simulation_from_json(const Json& json);
+/// unknown preset or a value that makes no sense, after `path` where that is not empty.
+SimulationSettings simulation_from_json(const Json& json, const std::string& path = "");
 
 }  // namespace ddtool::sim

@@ -12,6 +12,10 @@ struct ProcessUsage {
 
 ProcessUsage process_usage();
 
+/// Memory that this process may still take before the system ends it: what the machine has free, or less where a
+/// container is allowed less. 0 where the system does not tell.
+std::uint64_t available_memory_bytes();
+
 /// Gives memory that was freed back to the system at once. Worth a call after something large has ended and before
 /// something else large begins, so that the two do not add up; the C library would keep small pieces for itself.
 void return_freed_memory();

@@ -2,18 +2,30 @@
 
 #include <numeric>
 
-#include "ddtool/base/error.hpp"
-
 namespace ddtool {
+namespace {
+
+struct SeedRange {
+    std::uint64_t first = 1;
+    std::uint64_t count = 1;
+};
+
+const SettingTable<SeedRange>& seed_range_rows() {
+    static const SettingTable<SeedRange> rows{
+        {"first", &SeedRange::first, Allowed::seed(), "", "The first seed."},
+        {"count", &SeedRange::count, Allowed::whole(1, 1e6), "", "Number of seeds, one after the other."},
+    };
+    return rows;
+}
+
+}  // namespace
+
+const std::vector<Setting>& seed_range_setting_list() { return seed_range_rows().settings(); }
 
 std::vector<std::uint64_t> seeds_from_json(const Json& json, const std::string& where) {
-    constexpr std::uint64_t most = 1'000'000;
-    const auto count = json.at("count").get<std::uint64_t>();
-    if (count == 0 || count > most) {
-        throw UsageError(where + ".count: expected 1 to " + std::to_string(most));
-    }
-    std::vector<std::uint64_t> seeds(count);
-    std::iota(seeds.begin(), seeds.end(), json.at("first").get<std::uint64_t>());
+    const SeedRange range = seed_range_rows().checked(json, where);
+    std::vector<std::uint64_t> seeds(range.count);
+    std::iota(seeds.begin(), seeds.end(), range.first);
     return seeds;
 }
 

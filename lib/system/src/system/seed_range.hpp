@@ -4,9 +4,12 @@
 #include <string>
 #include <vector>
 
-#include "ddtool/system/settings.hpp"
+#include "system/setting_rows.hpp"
 
 namespace ddtool {
+
+/// What is known of "first" and "count".
+const std::vector<Setting>& seed_range_setting_list();
 
 /// The seeds of {"first": F, "count": N}: F, F + 1 and so on. Throws UsageError naming `where` unless there are 1 to a
 /// million.

@@ -3,9 +3,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "dataset/sample_record.hpp"
 #include "ddtool/network/image_settings.hpp"
+#include "system/setting_rows.hpp"
 
 namespace ddtool::train {
 
@@ -16,7 +18,6 @@ struct AugmentationSettings {
     bool resample_particles = true;  ///< a random choice of fewer particles
     std::size_t least_particles = 15;
 };
-DDTOOL_JSON_STRUCT(AugmentationSettings, rotate, flip, resample_particles, least_particles)
 
 struct OptimizerSettings {
     std::string name = "adam";  ///< adam, rmsprop or adamw
@@ -26,8 +27,6 @@ struct OptimizerSettings {
     double final_rate_share = 0.01;
     double largest_gradient_norm = 1.0;  ///< longer gradients are cut to it
 };
-DDTOOL_JSON_STRUCT(OptimizerSettings, name, learning_rate, weight_decay, warm_up_share, final_rate_share,
-                   largest_gradient_norm)
 
 /// Everything that, with the data set, decides the trained weights.
 struct TrainSettings {
@@ -45,8 +44,11 @@ struct TrainSettings {
     std::string precision = "bf16";    ///< fp32 or bf16 (mixed)
     std::uint64_t seed = 1;
 };
-DDTOOL_JSON_STRUCT(TrainSettings, model, label, split, image, augmentation, loss, class_weights, optimizer, epochs,
-                   batch_size, patience_epochs, precision, seed)
+void to_json(Json& json, const TrainSettings& settings);
+void from_json(const Json& json, TrainSettings& settings);
+
+/// What is known of each setting, in the order of their JSON.
+const std::vector<Setting>& train_setting_list();
 
 /// The settings' words. Throw UsageError for another one.
 dataset::LabelRule label_rule_of(const TrainSettings& settings);

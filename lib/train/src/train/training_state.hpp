@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "ddtool/system/json_struct.hpp"
 #include "train/history.hpp"
 #include "train/train_settings.hpp"
 

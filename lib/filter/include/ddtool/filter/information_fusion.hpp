@@ -7,9 +7,6 @@ namespace ddtool {
 struct FusionSettings {
     /// Below this degree the match stands as it is.
     double least_degree = 0.25;
-    /// Error of the surface normals that the match sees. Because of it a bare wall seems to hold the robot a little
-    /// along itself: the share normal_error_rad^2 of what it holds across, which is taken off in every direction.
-    double normal_error_rad = 0.05;
     /// Odometry that is farther from the match than this many standard deviations of both counts as less sure.
     double most_deviations = 3.0;
     /// Moved by less, the scan is not judged anew.
@@ -33,6 +30,11 @@ Eigen::Matrix3d credible_information(const Eigen::Matrix3d& match_information,
 /// m the match without the pull of the sampled motion, to first order. The result's information is the credible one.
 class InformationFusion : public PoseCorrection {
 public:
+    /// Error of the surface normals that the match sees. Because of it a bare wall seems to hold the robot a little
+    /// along itself: the share normal_error_rad^2 of what it holds across, which is taken off in every direction. No
+    /// setting: it is the size that ScanPoints' normals err by, and follows from how they are made.
+    static constexpr double normal_error_rad = 0.05;
+
     explicit InformationFusion(const FusionSettings& settings) : settings_(settings) {}
     ScanMatch correct(const MatchContext& context, const ScanMatch& found) const override;
 

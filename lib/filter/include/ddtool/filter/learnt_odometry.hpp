@@ -4,19 +4,26 @@
 
 namespace ddtool {
 
-/// What is assumed of an odometry before the scans have told anything, and how it is learnt.
+/// What is assumed of an odometry before the scans have told anything, and how it is learnt. These are no settings:
+/// they were settled on logs and worlds together, and the learnt values feed back into the poses that they are learnt
+/// from, so that what helps in one place undoes another.
 struct OdometryLearning {
-    double scale_sd = 0.02;           ///< of the relative error of distances, a constant of the run
-    double bias_sd_rad_per_s = 1e-3;  ///< of the error of the turn rate, a constant of the run
-    MotionNoise noise{0.03, 0.01, 0.01, 0.03};
-    double noise_chords = 3.0;         ///< the assumed noise counts as if seen in so many chords
-    double remembered_chords = 300.0;  ///< older noise is forgotten
-    double chord_m = 1.0;              ///< motions are judged over this way
-    double chord_turn_rad = 1.0;       ///< or this much turning
+    static constexpr double scale_sd = 0.02;           ///< of the relative error of distances, a constant of the run
+    static constexpr double bias_sd_rad_per_s = 1e-3;  ///< of the error of the turn rate, a constant of the run
+    static constexpr MotionNoise noise{0.03, 0.01, 0.01, 0.03};
+    /// The assumed noise counts as if seen in so many chords: enough for the first chord not to decide alone.
+    static constexpr double noise_chords = 3.0;
+    static constexpr double remembered_chords = 300.0;  ///< older noise is forgotten: floors change
+    /// Motions are judged over this way: on shorter ones the errors of single matches count, and ways of up to 20 m
+    /// were not better.
+    static constexpr double chord_m = 1.0;
+    static constexpr double chord_turn_rad = 1.0;  ///< or this much turning
     /// A chord teaches where the scans held the robot this well all along.
-    double observed_sd_m = 0.03;
-    double observed_sd_rad = 0.005;
-    double caution = 1.5;  ///< factor on the learnt standard deviations
+    static constexpr double observed_sd_m = 0.03;
+    static constexpr double observed_sd_rad = 0.005;
+    /// Factor on the learnt standard deviations: they are learnt from poses that the odometry itself has pulled, so
+    /// that its confidence feeds on itself.
+    static constexpr double caution = 1.5;
 };
 
 /// Learns the odometry's scale, its gyro's bias and the size of its noise where the scans observe the motion, and uses
@@ -26,7 +33,7 @@ struct OdometryLearning {
 /// the chords (what a chord's square says is shared between way and turn as the present factors would).
 class LearntOdometry : public OdometryModel {
 public:
-    explicit LearntOdometry(const OdometryLearning& settings);
+    LearntOdometry();
 
     [[nodiscard]] Pose2 expected(const Pose2& odometry_motion, double duration_s) const override;
     [[nodiscard]] MotionSigmas sigmas(const Pose2& odometry_motion, double duration_s) const override;
@@ -69,7 +76,6 @@ private:
     [[nodiscard]] double along_variance(double way_m, double turn_rad) const;
     [[nodiscard]] double turn_variance(double way_m, double turn_rad) const;
 
-    OdometryLearning settings_;
     Estimate scale_;
     Estimate bias_;
     NoiseRate along_per_m_, along_per_rad_, turn_per_m_, turn_per_rad_;

@@ -2,8 +2,8 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <vector>
 
+#include "ddtool/base/error.hpp"
 #include "ddtool/filter/patch.hpp"
 #include "ddtool/robot/pose2.hpp"
 
@@ -35,6 +35,14 @@ struct OccupancySettings {
     int free_step = 1;
     int min_log_odds = -30;
     int max_log_odds = 60;
+    /// No map grows once all maps of the process together take so many MiB; 0: there is no limit.
+    std::uint64_t most_memory_mib = 0;
+};
+
+/// A map would grow beyond what maps may take. run_filter() ends there, with what it has.
+class MapTooLarge : public Error {
+public:
+    using Error::Error;
 };
 
 /// Occupancy of the plane in patches shared between copies until written, and with it the field that scan matching
@@ -57,8 +65,9 @@ public:
     [[nodiscard]] bool occupied(Cell cell) const { return log_odds(cell) > 0; }
     [[nodiscard]] NearestPoint nearest(Cell cell) const { return patch_at(cell).nearest[Patch::local(cell.x, cell.y)]; }
 
-    /// Makes room for writing to the box. Both functions below need it. Throws Error for a map of more than
-    /// most_patches, some square kilometres: no robot drives so far, but an odometry that jumps does.
+    /// Makes room for writing to the box. Both functions below need it. Throws MapTooLarge where the memory that the
+    /// settings allow may not do for it, and for a map of more than most_patches, some square kilometres: no robot
+    /// drives so far, but an odometry that jumps does.
     void reserve(const CellBox& box);
     /// An end point in `cell`, at `offset` from its centre.
     void add_hit(Cell cell, NearestPoint offset);
@@ -91,7 +100,7 @@ private:
     OccupancySettings settings_;
     PatchPointer unknown_;
     int first_column_ = 0, first_row_ = 0, columns_ = 0, rows_ = 0;
-    std::vector<PatchPointer> patches_;
+    PatchTable patches_;
 };
 
 }  // namespace ddtool

@@ -4,7 +4,9 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <utility>
+#include <vector>
 
 namespace ddtool {
 
@@ -20,6 +22,33 @@ struct NearestPoint {
     bool operator==(const NearestPoint&) const = default;
 };
 
+/// What all maps of the process take: patches, each once however many particles share it, and the tables of pointers to
+/// them. Any thread may ask.
+struct MapBytes {
+    inline static std::atomic<std::size_t> live = 0;
+};
+
+/// Counts what a container allocates as part of live_map_bytes().
+template <typename Value>
+struct CountedAllocator {
+    using value_type = Value;
+
+    CountedAllocator() = default;
+    template <typename Other>
+    explicit CountedAllocator(const CountedAllocator<Other>& /*other*/) noexcept {}
+
+    Value* allocate(std::size_t count) {
+        Value* const place = std::allocator<Value>().allocate(count);
+        MapBytes::live.fetch_add(count * sizeof(Value), std::memory_order_relaxed);
+        return place;
+    }
+    void deallocate(Value* place, std::size_t count) noexcept {
+        MapBytes::live.fetch_sub(count * sizeof(Value), std::memory_order_relaxed);
+        std::allocator<Value>().deallocate(place, count);
+    }
+    bool operator==(const CountedAllocator& /*other*/) const = default;
+};
+
 /// A square of cells that particles share until one of them writes.
 struct Patch {
     static constexpr int size_bits = 4;
@@ -28,10 +57,15 @@ struct Patch {
     static constexpr std::int8_t unknown = -128;
     static constexpr std::size_t cell_count = static_cast<std::size_t>(size_cells) * size_cells;
 
-    Patch() { log_odds.fill(unknown); }
-    Patch(const Patch& other) : log_odds(other.log_odds), nearest(other.nearest) {}
+    Patch() {
+        log_odds.fill(unknown);
+        MapBytes::live.fetch_add(sizeof(Patch), std::memory_order_relaxed);
+    }
+    Patch(const Patch& other) : log_odds(other.log_odds), nearest(other.nearest) {
+        MapBytes::live.fetch_add(sizeof(Patch), std::memory_order_relaxed);
+    }
     Patch& operator=(const Patch&) = delete;
-    ~Patch() = default;
+    ~Patch() { MapBytes::live.fetch_sub(sizeof(Patch), std::memory_order_relaxed); }
 
     /// Place of a cell in the arrays, from its coordinates in the whole grid.
     static std::size_t local(int cell_x, int cell_y) {
@@ -84,5 +118,8 @@ private:
 
     Patch* patch_;
 };
+
+/// Patches of one map, row by row.
+using PatchTable = std::vector<PatchPointer, CountedAllocator<PatchPointer>>;
 
 }  // namespace ddtool

@@ -24,8 +24,6 @@ struct RbpfSettings {
     double resample_share = 0.3;     ///< resample when the effective sample size falls below this share of particles
     /// Exponent on the scan's likelihood: neighbouring beams and scans err together, so their product is too sure.
     double likelihood_gain = 0.05;
-    /// A match with a lower mean beam score is no match: the particle keeps its predicted pose.
-    double min_match_score = 0.1;
     /// Scans enter the map after this much motion or turning since the last that did.
     double insert_distance_m = 0.3;
     double insert_turn_rad = 0.3;
@@ -59,7 +57,8 @@ public:
     Rbpf(const RbpfSettings& settings, ThreadPool& threads, FilterStrategies strategies = {});
 
     /// Takes the next scan. Empty where the robot has hardly moved since the last update; the first scan starts the map
-    /// and is an update, too. Throws Error for a map that grows beyond OccupancyGrid::most_patches.
+    /// and is an update, too. Throws MapTooLarge where the maps cannot take the scan; the filter then stands
+    /// at the update before, though some of its maps have the scan.
     std::optional<Update> update(const SensorFrame& frame);
 
     /// The hypotheses as they are now, after resampling.

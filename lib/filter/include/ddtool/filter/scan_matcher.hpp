@@ -64,8 +64,10 @@ struct ScanMatch {
     /// sees less of the unknown would gain by it, and corridors would come out short.
     double log_likelihood = 0.0;
 
+    /// No setting: a scan that fits by a tenth of its beams fits by chance, and every method leans on this one border.
+    static constexpr double least_score = 0.1;
     /// Whether this counts as a match at all: where the scan fits worse, it says nothing of the pose.
-    [[nodiscard]] bool accepted(double min_score) const { return score >= min_score; }
+    [[nodiscard]] bool accepted() const { return score >= least_score; }
 };
 
 /// Finds the pose at which a scan fits a grid, by Gauss-Newton on the distances from the end points to the nearest

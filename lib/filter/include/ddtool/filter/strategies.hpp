@@ -22,8 +22,7 @@ struct MatchContext {
     Pose2 odometry;   ///< world_from_robot, the likeliest by the odometry model
     /// Of (x, y, theta) in the world: what odometry says of the pose since the scans last told as much.
     Eigen::Matrix3d odometry_information;
-    double min_match_score = 0.0;  ///< a match with a lower score counts as not found
-    Degeneracy degeneracy;         ///< of the whole swarm
+    Degeneracy degeneracy;  ///< of the whole swarm
 };
 
 /// May replace the pose that scan matching found, knowing how degenerate the swarm is. One object serves all particles

@@ -35,7 +35,6 @@ struct MethodSettings {
     FusionSettings fusion;
     EigenvalueGateSettings eigenvalue_gate;
     EnhancedResamplingSettings enhanced_resampling;
-    OdometryLearning odometry_learning;
 };
 
 /// Everything that makes a filter.
@@ -47,11 +46,18 @@ struct FilterSettings {
 /// The names of all methods.
 std::vector<std::string> method_names();
 
+/// The names of the parts in each place, but for the detectors', which their table has.
+std::vector<std::string> search_names();
+std::vector<std::string> trust_names();
+std::vector<std::string> resampling_names();
+std::vector<std::string> odometry_names();
+
 /// The parts in effect, all of them named: the method's, except where the settings name others. Throws UsageError for
 /// an unknown method.
 MethodParts parts_of(const MethodSettings& settings);
 
-/// The filter of a method; one with a single hypothesis has one particle, whatever the settings say. Throws UsageError
+/// The filter of a method; one with a single hypothesis has one particle, whatever the settings say. Its maps may take
+/// three quarters of the memory that the machine has free, where the settings set no limit. Throws UsageError
 /// for an unknown name and Error for a detector that cannot be made.
 std::unique_ptr<Rbpf> make_filter(const FilterSettings& settings, const DetectorTable& detectors, ThreadPool& threads);
 

@@ -2,8 +2,9 @@
 
 #include <array>
 #include <cstddef>
+#include <string>
 
-#include "ddtool/system/json_struct.hpp"
+#include "ddtool/system/settings.hpp"
 
 namespace ddtool {
 
@@ -36,10 +37,10 @@ struct ImageSettings {
     double gaussian_sigma_px = 1.0;     ///< sigma of G
     double gaussian_threshold = 0.02;   ///< a pixel whose sum of G (1/px^2) exceeds it is marked
 };
-DDTOOL_JSON_STRUCT(ImageSettings, swarm, size_px, canvas_m, step_canvas_spreads, step_canvas_min_m, linear_mapping,
-                   gaussian_augmentation, gaussian_sigma_px, gaussian_threshold)
+void to_json(Json& json, const ImageSettings& settings);
+void from_json(const Json& json, ImageSettings& settings);
 
-/// Throws UsageError naming the setting for a value that makes no sense.
-void expect_valid(const ImageSettings& settings);
+/// Throws UsageError naming the setting, after `path` where that is not empty, for a value that makes no sense.
+void expect_valid(const ImageSettings& settings, const std::string& path = "");
 
 }  // namespace ddtool

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "ddtool/network/image_settings.hpp"
+#include "ddtool/system/json_struct.hpp"
 
 namespace ddtool::native {
 

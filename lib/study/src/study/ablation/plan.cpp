@@ -7,6 +7,8 @@
 namespace ddtool::ablation {
 namespace {
 
+const Allowed timed_samples = Allowed::whole(1, 1e6);
+
 /// Every setting of a training but the seed.
 Json default_training() {
     const train::TrainSettings defaults;  // a temporary makes GCC 12 warn of one that is not initialised
@@ -58,6 +60,15 @@ std::string place(const std::string& list, std::size_t index) { return list + "[
 
 }  // namespace
 
+std::vector<Setting> plan_setting_list() {
+    return {
+        {"seeds", Allowed::other(), "", "Each row is trained once with each of these seeds: a list.", "", {}},
+        {"train", {}, "", "", "", without(learning::train_setting_list(), "seed")},
+        {"rows", Allowed::other(), "", "The trainings, and what the paper prints for each.", "docs/evaluation.md", {}},
+        {"timings", Allowed::other(), "", "The ways of running a network that are timed.", "docs/evaluation.md", {}},
+        {"timed_samples", timed_samples, "", "Number of snapshots that a timing takes its median of.", "", {}}};
+}
+
 Json default_plan_json() {
     return {{"seeds", {1U, 2U, 3U}},
             {"train", default_training()},
@@ -67,6 +78,7 @@ Json default_plan_json() {
 }
 
 Plan plan_from_json(const Json& json) {
+    expect_allowed(json.at("timed_samples"), timed_samples, "", "timed_samples");
     Plan plan;
     plan.seeds = json.at("seeds").get<std::vector<std::uint64_t>>();
     plan.timed_samples = json.at("timed_samples");
@@ -76,8 +88,8 @@ Plan plan_from_json(const Json& json) {
     for (const Json& item : json.at("timings")) {
         plan.timings.push_back(timing_from(item, plan.rows, place("timings", plan.timings.size())));
     }
-    if (plan.seeds.empty() || plan.rows.empty() || plan.timed_samples == 0) {
-        throw UsageError("ablation: expected one or more seeds, rows and timed_samples");
+    if (plan.seeds.empty() || plan.rows.empty()) {
+        throw UsageError("ablation: expected one or more seeds and rows");
     }
     return plan;
 }

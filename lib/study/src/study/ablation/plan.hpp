@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "ddtool/system/settings.hpp"
+#include "system/setting_rows.hpp"
 #include "train/train_settings.hpp"
 
 namespace ddtool::ablation {
@@ -34,6 +34,9 @@ struct Plan {
     std::vector<Timing> timings;
     std::size_t timed_samples = 0;  ///< snapshots a timing takes its median of
 };
+
+/// What is known of each setting of a plan, in the order of their JSON.
+std::vector<Setting> plan_setting_list();
 
 /// The keys of a plan with their defaults: docs/evaluation.md explains them.
 Json default_plan_json();

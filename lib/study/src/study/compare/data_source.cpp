@@ -47,7 +47,7 @@ DataSource WorldEntry::data_of(const Simulated& source, std::uint64_t seed) cons
     DataSource data;
     data.identity = {
         {"world", world}, {"fingerprint", sim::world_fingerprint(sim::load_world(world))}, {"simulation", simulation}};
-    data.open = [world, settings = sim::simulation_from_json(simulation)](const LogProblemHandler&) {
+    data.open = [world, settings = sim::simulation_from_json(simulation, "simulation")](const LogProblemHandler&) {
         return std::make_unique<sim::SimulatedStream>(sim::load_world(world), settings);
     };
     return data;

@@ -16,6 +16,11 @@ namespace {
 /// Raised when results of before can no longer be compared with new ones.
 constexpr int format = 1;
 
+struct ScoreSettings {
+    std::string align = "se2";
+    double max_time_difference_s = default_max_time_difference_s;
+};
+
 template <typename Entry, typename... Context>
 std::vector<Entry> entries_from(const Json& settings, const std::string& list, const std::string& common,
                                 const Context&... context) {
@@ -46,13 +51,19 @@ std::size_t baseline_from(const std::string& name, const std::vector<Contestant>
                      "?");
 }
 
+const SettingTable<ScoreSettings>& score_rows() {
+    static const SettingTable<ScoreSettings> rows{
+        {"align", &ScoreSettings::align, Allowed::one_of({"none", "first", "se2"}), "",
+         "How a trajectory is aligned with the reference before it is scored.", "docs/scoring.md"},
+        {"max_time_difference_s", &ScoreSettings::max_time_difference_s, Allowed::number(0.0, 3600.0), "s",
+         "Poses are compared with those of the reference that are no farther away in time."},
+    };
+    return rows;
+}
+
 AteOptions score_from(const Json& json) {
-    const AteOptions options{.alignment = parse_alignment(json.at("align").get<std::string>()),
-                             .max_time_difference_s = json.at("max_time_difference_s")};
-    if (!(options.max_time_difference_s >= 0.0)) {
-        throw UsageError("score.max_time_difference_s: expected a number of seconds, 0 or more");
-    }
-    return options;
+    const ScoreSettings settings = score_rows().checked(json, "score");
+    return {.alignment = parse_alignment(settings.align), .max_time_difference_s = settings.max_time_difference_s};
 }
 
 /// As it goes into the configuration of a cell.
@@ -62,6 +73,22 @@ Json score_identity(const AteOptions& options) {
 
 }  // namespace
 
+std::vector<Setting> experiment_setting_list() {
+    return {
+        {"worlds", Allowed::other(), "", "Where the methods run: names of worlds, or objects.", "docs/compare.md", {}},
+        {"methods", Allowed::other(), "", "What is compared: a list of objects.", "docs/compare.md", {}},
+        {"baseline",
+         Allowed::text(),
+         "",
+         "Name of the method that the others are tested against; empty for the first.",
+         "",
+         {}},
+        {"seeds", {}, "", "", "", seed_range_setting_list()},
+        {"simulation", {}, "", "", "", without(without(sim::simulation_setting_list(), "world"), "seed")},
+        {"filter", {}, "", "", "", without(filter_setting_list(), "seed")},
+        {"score", {}, "", "", "", score_rows().settings()}};
+}
+
 Json default_experiment_json() {
     return {{"worlds", Json::array()},
             {"methods", Json::array()},
@@ -69,7 +96,7 @@ Json default_experiment_json() {
             {"seeds", {{"first", 1U}, {"count", 10U}}},
             {"simulation", sim::common_simulation_json()},
             {"filter", common_filter_json()},
-            {"score", {{"align", "se2"}, {"max_time_difference_s", default_max_time_difference_s}}}};
+            {"score", score_rows().json({})}};
 }
 
 Experiment experiment_from_json(const Json& settings, const DetectorTable& detectors) {

@@ -11,6 +11,7 @@
 #include "scores/absolute_error.hpp"
 #include "study/compare/contestant.hpp"
 #include "study/compare/data_source.hpp"
+#include "system/setting_rows.hpp"
 
 namespace ddtool::compare {
 
@@ -22,6 +23,9 @@ struct Experiment {
     std::size_t baseline = 0;  ///< the contestant that the others are tested against
     AteOptions score;
 };
+
+/// What is known of each setting of an experiment, in the order of their JSON.
+std::vector<Setting> experiment_setting_list();
 
 /// Every setting of an experiment with its default: the keys a configuration may have.
 Json default_experiment_json();

@@ -53,7 +53,8 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-void expect_same_run(const train::TrainingState& now, const train::TrainingState& then, const std::filesystem::path& path) {
+void expect_same_run(const train::TrainingState& now, const train::TrainingState& then,
+                     const std::filesystem::path& path) {
     const auto expect_same = [&](const char* what, const Json& ours, const Json& theirs) {
         if (ours != theirs) {
             throw UsageError(path.string() + ": cannot be resumed with another " + what + ": it was " +

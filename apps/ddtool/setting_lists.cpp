@@ -1,0 +1,32 @@
+#include "setting_lists.hpp"
+
+#include "dataset/build_settings.hpp"
+#include "log_options.hpp"
+#include "methods/settings_json.hpp"
+#include "sim/simulation_json.hpp"
+#include "study/ablation/plan.hpp"
+#include "study/compare/experiment.hpp"
+#include "train/train_settings.hpp"
+
+namespace ddtool {
+namespace {
+
+Setting group(const std::string& key, const std::vector<Setting>& settings) { return {key, {}, "", "", "", settings}; }
+
+}  // namespace
+
+std::vector<SettingList> setting_lists() {
+    const learning::TrainSettings train;  // a temporary makes GCC 12 warn of one that is not initialised
+    return {
+        {"slam",
+         {group("log", log_setting_list()), group("filter", filter_setting_list())},
+         {{"log", default_log_settings()}, {"filter", filter_settings_json({})}}},
+        {"simulate", sim::simulation_setting_list(), sim::default_simulation_json()},
+        {"build-dataset", dataset::build_setting_list(), dataset::default_build_json()},
+        {"train", learning::train_setting_list(), train},
+        {"compare", compare::experiment_setting_list(), compare::default_experiment_json()},
+        {"ablation", ablation::plan_setting_list(), ablation::default_plan_json()},
+    };
+}
+
+}  // namespace ddtool

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "system/setting_rows.hpp"
+
+namespace ddtool {
+
+/// The settings of one command.
+struct SettingList {
+    std::string command;  ///< "ablation" is the plan that `ddtool eval --ablation` reads
+    std::vector<Setting> settings;
+    Json defaults;
+};
+
+/// Of every command that has settings.
+std::vector<SettingList> setting_lists();
+
+}  // namespace ddtool

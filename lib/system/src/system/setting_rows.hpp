@@ -1,0 +1,159 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <initializer_list>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "ddtool/system/settings.hpp"
+
+namespace ddtool {
+
+/// The values that a setting may have.
+struct Allowed {
+    enum class Kind {
+        whole,    ///< a whole number from least to most
+        number,   ///< a number from least to most
+        word,     ///< one of `words`
+        text,     ///< any text
+        flag,     ///< true or false
+        numbers,  ///< a list: empty, or `count` numbers, each from least to most
+        other,    ///< what the sentence of the setting says; whoever reads it checks it
+    };
+    Kind kind = Kind::other;
+    double least = 0.0;
+    double most = 0.0;
+    std::vector<std::string> words;
+    std::size_t count = 0;
+
+    static Allowed whole(double least, double most) { return {Kind::whole, least, most, {}, 0}; }
+    /// Whole numbers of 64 bits from 0, as seeds are.
+    static Allowed seed();
+    static Allowed number(double least, double most) { return {Kind::number, least, most, {}, 0}; }
+    static Allowed one_of(std::vector<std::string> words) { return {Kind::word, 0.0, 0.0, std::move(words), 0}; }
+    static Allowed text() { return {Kind::text, 0.0, 0.0, {}, 0}; }
+    static Allowed flag() { return {Kind::flag, 0.0, 0.0, {}, 0}; }
+    static Allowed numbers(std::size_t count, double least, double most) {
+        return {Kind::numbers, least, most, {}, count};
+    }
+    static Allowed other() { return {}; }
+};
+
+/// What is known of a setting beside its default: one row of the reference (docs/settings-reference.md).
+struct Setting {
+    std::string key;  ///< empty for a group whose settings stand beside the others of its parent
+    Allowed allowed;
+    std::string unit;            ///< "m", "rad"; empty for a bare number
+    std::string meaning;         ///< one whole sentence
+    std::string source;          ///< the equation, paper or measurement that it comes from; may be empty
+    std::vector<Setting> group;  ///< of a group, which has a key and settings and nothing else
+};
+
+/// "a number from 0.005 to 1 m".
+std::string allowed_text(const Allowed& allowed, const std::string& unit);
+
+/// Throws UsageError, "KEY: expected a whole number from 1 to 1000, not 0", unless the value is allowed. NaN is not.
+void expect_allowed(const Json& value, const Allowed& allowed, const std::string& unit, const std::string& key);
+
+/// The same for every setting of a JSON object; `path`, where it is not empty, stands before each key. Keys that no
+/// setting has are passed over: merge_settings() has refused them.
+void expect_allowed(const Json& json, const std::vector<Setting>& settings, const std::string& path);
+
+/// Every setting that is no group, with its path ("filter.grid.cell_size_m"), in order.
+void for_each_setting(const std::vector<Setting>& settings,
+                      const std::function<void(const std::string& path, const Setting& setting)>& visit,
+                      const std::string& path = "");
+
+/// The value at such a path. Throws Json::out_of_range where there is none.
+const Json& setting_at(const Json& settings, std::string path);
+
+/// Without the setting of that key.
+std::vector<Setting> without(std::vector<Setting> settings, const std::string& key);
+
+template <typename Struct>
+class SettingTable;
+
+/// One setting of a struct, or a member that is a struct of settings.
+template <typename Struct>
+struct SettingRow {
+    template <typename Value>
+    SettingRow(std::string key, Value Struct::*member, Allowed allowed, std::string unit, std::string meaning,
+               std::string source = "")
+        : setting{std::move(key), std::move(allowed), std::move(unit), std::move(meaning), std::move(source), {}},
+          write([name = setting.key, member](Json& json, const Struct& value) { json[name] = value.*member; }),
+          read([name = setting.key, member](const Json& json, Struct& value) { json.at(name).get_to(value.*member); }) {
+    }
+
+    template <typename Member>
+    SettingRow(std::string key, Member Struct::*member, const SettingTable<Member>& rows)
+        : setting{std::move(key), {}, "", "", "", rows.settings()},
+          write([name = setting.key, member, rows](Json& json, const Struct& value) {
+              rows.write(name.empty() ? json : json[name], value.*member);
+          }),
+          read([name = setting.key, member, rows](const Json& json, Struct& value) {
+              rows.read(name.empty() ? json : json.at(name), value.*member);
+          }) {}
+
+    /// A member whose settings stand beside those of the struct.
+    template <typename Member>
+    SettingRow(Member Struct::*member, const SettingTable<Member>& rows) : SettingRow("", member, rows) {}
+
+    /// A setting that is written otherwise than its type.
+    SettingRow(Setting described, std::function<void(Json&, const Struct&)> writer,
+               std::function<void(const Json&, Struct&)> reader)
+        : setting(std::move(described)), write(std::move(writer)), read(std::move(reader)) {}
+
+    Setting setting;
+    std::function<void(Json& json, const Struct& value)> write;
+    std::function<void(const Json& json, Struct& value)> read;
+};
+
+/// The settings of a struct, a row each, in the order of their JSON. Everything that is said of a setting or done with
+/// it comes from its row: JSON and back, the check, listings and hints.
+template <typename Struct>
+class SettingTable {
+public:
+    SettingTable(std::initializer_list<SettingRow<Struct>> rows) : rows_(rows) {
+        for (const SettingRow<Struct>& row : rows_) {
+            settings_.push_back(row.setting);
+        }
+    }
+
+    [[nodiscard]] const std::vector<Setting>& settings() const { return settings_; }
+
+    [[nodiscard]] Json json(const Struct& value) const {
+        Json json = Json::object();
+        write(json, value);
+        return json;
+    }
+
+    /// Throws UsageError naming the key, after `path` where that is not empty, for a value that is not allowed.
+    [[nodiscard]] Struct checked(const Json& json, const std::string& path = "") const {
+        expect_allowed(json, settings_, path);
+        Struct value;
+        read(json, value);
+        return value;
+    }
+
+    /// Puts the settings into an object.
+    void write(Json& json, const Struct& value) const {
+        for (const SettingRow<Struct>& row : rows_) {
+            row.write(json, value);
+        }
+    }
+
+    /// Takes the settings as they are, whatever is allowed.
+    void read(const Json& json, Struct& value) const {
+        for (const SettingRow<Struct>& row : rows_) {
+            row.read(json, value);
+        }
+    }
+
+private:
+    std::vector<SettingRow<Struct>> rows_;
+    std::vector<Setting> settings_;
+};
+
+}  // namespace ddtool

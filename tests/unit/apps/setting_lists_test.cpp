@@ -1,0 +1,164 @@
+#include "setting_lists.hpp"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <functional>
+#include <limits>
+#include <map>
+#include <set>
+
+#include "dataset/build_settings.hpp"
+#include "dataset/run_plan.hpp"
+#include "ddtool/base/error.hpp"
+#include "log_options.hpp"
+#include "methods/settings_json.hpp"
+#include "sim/simulation_json.hpp"
+#include "study/ablation/plan.hpp"
+#include "study/compare/experiment.hpp"
+#include "thrown_text.hpp"
+#include "train/train_settings.hpp"
+
+namespace ddtool {
+namespace {
+
+using test::thrown_text;
+
+/// Reads settings as the command does that has them.
+using Reader = std::function<void(const Json& settings)>;
+
+const std::map<std::string, Reader>& readers() {
+    static const std::map<std::string, Reader> table{
+        {"slam",
+         [](const Json& settings) {
+             (void)log_options(settings.at("log"));
+             (void)filter_settings_from_json(settings.at("filter"));
+         }},
+        {"simulate", [](const Json& settings) { (void)sim::simulation_from_json(settings); }},
+        {"build-dataset",
+         [](Json settings) {
+             settings["worlds"] = {"s1"};
+             (void)dataset::assembly_from_json(settings);
+             (void)dataset::plan_runs(settings);
+         }},
+        {"train",
+         [](const Json& settings) {
+             learning::TrainSettings read;
+             settings.get_to(read);
+             learning::expect_valid(read);
+         }},
+        {"compare",
+         [](Json settings) {
+             settings["worlds"] = {"s1"};
+             settings["methods"] = {{{"name", "one"}}};
+             (void)compare::cells_of(compare::experiment_from_json(settings));
+         }},
+        {"ablation",
+         [](Json settings) {
+             settings["rows"] = {{{"name", "one"}}};
+             (void)ablation::plan_from_json(settings);
+         }},
+    };
+    return table;
+}
+
+Json::json_pointer pointer_to(std::string path) {
+    std::replace(path.begin(), path.end(), '.', '/');
+    return Json::json_pointer("/" + path);
+}
+
+void collect_leaves(const Json& json, const std::string& path, std::set<std::string>& leaves) {
+    for (const auto& [key, value] : json.items()) {
+        const std::string own = path.empty() ? key : std::string(path).append(".").append(key);
+        if (value.is_object()) {
+            collect_leaves(value, own, leaves);
+        } else {
+            leaves.insert(own);
+        }
+    }
+}
+
+/// Values beside those that a setting takes.
+std::vector<Json> refused_by(const Setting& setting) {
+    const Allowed& allowed = setting.allowed;
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    constexpr double infinite = std::numeric_limits<double>::infinity();
+    switch (allowed.kind) {
+        case Allowed::Kind::whole: {
+            std::vector<Json> values{static_cast<std::int64_t>(allowed.least) - 1, allowed.least + 0.5, nan, infinite,
+                                     "1"};
+            if (allowed.most < 1e18) {
+                values.emplace_back(static_cast<std::int64_t>(allowed.most) + 1);
+            }
+            return values;
+        }
+        case Allowed::Kind::number:
+            return {std::nextafter(allowed.least, -infinite),
+                    std::nextafter(allowed.most, infinite),
+                    nan,
+                    -infinite,
+                    infinite,
+                    "1"};
+        case Allowed::Kind::word:
+            return {"no such word", 1};
+        case Allowed::Kind::flag:
+            return {1, "true"};
+        case Allowed::Kind::numbers:
+            return {{1.0}, {1.0, 2.0, nan}, {1.0, 2.0, allowed.most + 1.0}, "1"};
+        case Allowed::Kind::text:
+        case Allowed::Kind::other:
+            break;
+    }
+    return {};
+}
+
+class SettingLists : public testing::TestWithParam<SettingList> {};
+
+TEST_P(SettingLists, HaveARowForEverySetting) {
+    std::set<std::string> leaves;
+    collect_leaves(GetParam().defaults, "", leaves);
+    std::set<std::string> listed;
+    for_each_setting(GetParam().settings, [&](const std::string& path, const Setting&) { listed.insert(path); });
+    EXPECT_EQ(listed, leaves);
+}
+
+TEST_P(SettingLists, AllowTheirDefaults) {
+    EXPECT_EQ(thrown_text([&] { readers().at(GetParam().command)(GetParam().defaults); }), "");
+    for_each_setting(GetParam().settings, [&](const std::string& path, const Setting& setting) {
+        const Json& standard = setting_at(GetParam().defaults, path);
+        if (!standard.is_null()) {  // left to a preset
+            expect_allowed(standard, setting.allowed, setting.unit, path);
+        }
+    });
+}
+
+TEST_P(SettingLists, RefuseEveryValueBesideTheRangeNamingTheSetting) {
+    std::size_t refused = 0;
+    for_each_setting(GetParam().settings, [&](const std::string& path, const Setting& setting) {
+        for (const Json& value : refused_by(setting)) {
+            Json settings = GetParam().defaults;
+            settings[pointer_to(path)] = value;
+            EXPECT_THAT(thrown_text<UsageError>([&] { readers().at(GetParam().command)(settings); }),
+                        testing::HasSubstr(path + ": expected"))
+                << value;
+            ++refused;
+        }
+    });
+    EXPECT_GT(refused, 10U);
+}
+
+TEST_P(SettingLists, SayWhatEachIsInAWholeSentence) {
+    for_each_setting(GetParam().settings, [&](const std::string& path, const Setting& setting) {
+        EXPECT_GT(setting.meaning.size(), 10U) << path;
+        EXPECT_TRUE(setting.meaning.ends_with('.')) << path;
+    });
+}
+
+INSTANTIATE_TEST_SUITE_P(Commands, SettingLists, testing::ValuesIn(setting_lists()), [](const auto& info) {
+    std::string name = info.param.command;
+    std::erase(name, '-');
+    return name;
+});
+
+}  // namespace
+}  // namespace ddtool
