@@ -16,14 +16,14 @@ Setting group(const std::string& key, const std::vector<Setting>& settings) { re
 }  // namespace
 
 std::vector<SettingList> setting_lists() {
-    const learning::TrainSettings train;  // a temporary makes GCC 12 warn of one that is not initialised
+    const train::TrainSettings training;  // a temporary makes GCC 12 warn of one that is not initialised
     return {
         {"slam",
          {group("log", log_setting_list()), group("filter", filter_setting_list())},
          {{"log", default_log_settings()}, {"filter", filter_settings_json({})}}},
         {"simulate", sim::simulation_setting_list(), sim::default_simulation_json()},
         {"build-dataset", dataset::build_setting_list(), dataset::default_build_json()},
-        {"train", learning::train_setting_list(), train},
+        {"train", train::train_setting_list(), training},
         {"compare", compare::experiment_setting_list(), compare::default_experiment_json()},
         {"ablation", ablation::plan_setting_list(), ablation::default_plan_json()},
     };

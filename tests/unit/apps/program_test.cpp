@@ -19,10 +19,10 @@ Command probe(Json& seen) {
         .summary = "Shows its settings",
         .example = "ddtool probe --particles 5",
         .settings = {{"filter", {{"particles", 30}}}, {"method", "m"}, {"fast", true}, {"laser_pose", {0.0, 0.0, 0.0}}},
-        .options = {{"--particles", Setting{"filter.particles"}, "How many"},
-                    {"--method", Setting{"method"}, "Which"},
-                    {"--fast", Setting{"fast"}, "Whether"},
-                    {"--laser-pose", Setting{"laser_pose"}, "Where"}},
+        .options = {{"--particles", SettingPath{"filter.particles"}, "How many"},
+                    {"--method", SettingPath{"method"}, "Which"},
+                    {"--fast", SettingPath{"fast"}, "Whether"},
+                    {"--laser-pose", SettingPath{"laser_pose"}, "Where"}},
         .run = [&seen](const Json& settings) {
             seen = settings;
             return ExitCode::done_with_loss;

@@ -43,9 +43,9 @@ const std::map<std::string, Reader>& readers() {
          }},
         {"train",
          [](const Json& settings) {
-             learning::TrainSettings read;
+             train::TrainSettings read;
              settings.get_to(read);
-             learning::expect_valid(read);
+             train::expect_valid(read);
          }},
         {"compare",
          [](Json settings) {

@@ -262,7 +262,7 @@ const std::vector<Setting>& filter_setting_list() { return filter_rows().setting
 
 Json filter_settings_json(const FilterSettings& settings) { return filter_rows().json(settings); }
 
-Json parts_json(const MethodSettings& settings) { return parts_of(settings); }
+Json parts_json(const MethodSettings& settings) { return parts_rows().json(parts_of(settings)); }
 
 Json common_filter_json() {
     Json json = filter_settings_json({});

@@ -63,7 +63,7 @@ std::string place(const std::string& list, std::size_t index) { return list + "[
 std::vector<Setting> plan_setting_list() {
     return {
         {"seeds", Allowed::other(), "", "Each row is trained once with each of these seeds: a list.", "", {}},
-        {"train", {}, "", "", "", without(learning::train_setting_list(), "seed")},
+        {"train", {}, "", "", "", without(train::train_setting_list(), "seed")},
         {"rows", Allowed::other(), "", "The trainings, and what the paper prints for each.", "docs/evaluation.md", {}},
         {"timings", Allowed::other(), "", "The ways of running a network that are timed.", "docs/evaluation.md", {}},
         {"timed_samples", timed_samples, "", "Number of snapshots that a timing takes its median of.", "", {}}};
