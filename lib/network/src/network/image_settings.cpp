@@ -52,7 +52,8 @@ void from_json(const Json& json, ImageSettings& settings) { image_setting_rows()
 void expect_valid(const ImageSettings& settings, const std::string& path) {
     expect_allowed(Json(settings), image_setting_rows().settings(), path);
     if (settings.swarm == Swarm::response && settings.step_canvas_spreads == 0.0) {
-        throw UsageError((path.empty() ? "" : path + ".") + "step_canvas_spreads: the response's canvas is of that size, so expected more than 0");
+        throw UsageError((path.empty() ? "" : path + ".") +
+                         "step_canvas_spreads: the response's canvas is of that size, so expected more than 0");
     }
 }
 
