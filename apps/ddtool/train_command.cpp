@@ -21,7 +21,7 @@ ExitCode train_network(const TrainOptions& options, const Json& settings) {
     train::TrainRequest request = options.rest;
     request.data = options.data;
     request.out = options.out;
-    request.settings = settings.get<train::TrainSettings>();
+    request.settings = train::train_settings_from_json(settings);
     const train::TrainResult result = engine.train(request);
     if (!result.leads) {
         return ExitCode::done;

@@ -114,7 +114,7 @@ void read_train_settings(std::span<const char> content) {
     const train::TrainSettings defaults;
     Json train = defaults;
     merge_settings_file(train, input_file(content, "settings.json"));
-    train::expect_valid(train.get<train::TrainSettings>());
+    (void)train::train_settings_from_json(train);
 }
 
 void read_simulation(std::span<const char> content) {

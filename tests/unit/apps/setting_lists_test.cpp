@@ -16,13 +16,10 @@
 #include "sim/simulation_json.hpp"
 #include "study/ablation/plan.hpp"
 #include "study/compare/experiment.hpp"
-#include "thrown_text.hpp"
 #include "train/train_settings.hpp"
 
 namespace ddtool {
 namespace {
-
-using test::thrown_text;
 
 /// Reads settings as the command does that has them.
 using Reader = std::function<void(const Json& settings)>;
@@ -41,12 +38,7 @@ const std::map<std::string, Reader>& readers() {
              (void)dataset::assembly_from_json(settings);
              (void)dataset::plan_runs(settings);
          }},
-        {"train",
-         [](const Json& settings) {
-             train::TrainSettings read;
-             settings.get_to(read);
-             train::expect_valid(read);
-         }},
+        {"train", [](const Json& settings) { (void)train::train_settings_from_json(settings); }},
         {"compare",
          [](Json settings) {
              settings["worlds"] = {"s1"};
@@ -112,6 +104,17 @@ std::vector<Json> refused_by(const Setting& setting) {
     return {};
 }
 
+std::string said(const std::string& command, const Json& settings) {
+    try {
+        readers().at(command)(settings);
+    } catch (const UsageError& error) {
+        return error.what();
+    } catch (const std::exception& error) {
+        return std::string("no UsageError: ") + error.what();
+    }
+    return "";
+}
+
 class SettingLists : public testing::TestWithParam<SettingList> {};
 
 TEST_P(SettingLists, HaveARowForEverySetting) {
@@ -123,7 +126,7 @@ TEST_P(SettingLists, HaveARowForEverySetting) {
 }
 
 TEST_P(SettingLists, AllowTheirDefaults) {
-    EXPECT_EQ(thrown_text([&] { readers().at(GetParam().command)(GetParam().defaults); }), "");
+    EXPECT_EQ(said(GetParam().command, GetParam().defaults), "");
     for_each_setting(GetParam().settings, [&](const std::string& path, const Setting& setting) {
         const Json& standard = setting_at(GetParam().defaults, path);
         if (!standard.is_null()) {  // left to a preset
@@ -138,8 +141,9 @@ TEST_P(SettingLists, RefuseEveryValueBesideTheRangeNamingTheSetting) {
         for (const Json& value : refused_by(setting)) {
             Json settings = GetParam().defaults;
             settings[pointer_to(path)] = value;
-            EXPECT_THAT(thrown_text<UsageError>([&] { readers().at(GetParam().command)(settings); }),
-                        testing::HasSubstr(path + ": expected"))
+            EXPECT_THAT(said(GetParam().command, settings),
+                        testing::AllOf(testing::HasSubstr(path + ": expected"),
+                                       testing::Not(testing::StartsWith("no UsageError"))))
                 << value;
             ++refused;
         }

@@ -161,6 +161,7 @@ private:
             filter["method"] = *variant.method;
         }
         filter["seed"] = seed;
+        (void)filter_settings_from_json(filter);  // before single values are taken of it
         return filter;
     }
 

@@ -69,7 +69,7 @@ void for_each_setting(const std::vector<Setting>& settings,
 /// The value at such a path. Throws Json::out_of_range where there is none.
 const Json& setting_at(const Json& settings, std::string path);
 
-/// Without the setting of that key.
+/// Without the setting of that key. Settings of named groups stay.
 std::vector<Setting> without(std::vector<Setting> settings, const std::string& key);
 
 template <typename Struct>

@@ -84,9 +84,12 @@ dataset::Split split_of(const TrainSettings& settings) {
     return dataset::Split{expect_one_of("split", settings.split, dataset::split_names)};
 }
 
-void expect_valid(const TrainSettings& settings) {
-    expect_allowed(Json(settings), train_rows().settings(), "");
-    expect_valid(settings.image, "image");
+TrainSettings train_settings_from_json(const Json& json, const std::string& path) {
+    const TrainSettings settings = train_rows().checked(json, path);
+    expect_valid(settings.image, path.empty() ? "image" : path + ".image");
+    return settings;
 }
+
+void expect_valid(const TrainSettings& settings) { (void)train_settings_from_json(Json(settings)); }
 
 }  // namespace ddtool::train

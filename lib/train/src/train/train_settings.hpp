@@ -50,11 +50,15 @@ void from_json(const Json& json, TrainSettings& settings);
 /// What is known of each setting, in the order of their JSON.
 const std::vector<Setting>& train_setting_list();
 
+/// From a configuration. Throws UsageError naming the setting, after `path` where that is not empty, for a value that
+/// makes no sense. The model's name is checked by its makers.
+TrainSettings train_settings_from_json(const Json& json, const std::string& path = "");
+
 /// The settings' words. Throw UsageError for another one.
 dataset::LabelRule label_rule_of(const TrainSettings& settings);
 dataset::Split split_of(const TrainSettings& settings);
 
-/// Throws UsageError naming the setting for a value that makes no sense. The model's name is checked by its makers.
+/// The same check of settings that are read already.
 void expect_valid(const TrainSettings& settings);
 
 }  // namespace ddtool::train

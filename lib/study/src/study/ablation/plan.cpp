@@ -29,16 +29,11 @@ Row row_from(const Json& item, const Json& common, const std::string& where) {
     Json known{{"name", ""}, {"train", common}, {"paper", {{"accuracy", nullptr}, {"f1", nullptr}}}};
     merge_settings(known, item, where);
     known["train"]["seed"] = 0U;
-    Row row{known.at("name"), known.at("train").get<train::TrainSettings>(),
+    Row row{known.at("name"), train::train_settings_from_json(known.at("train"), where + ".train"),
             figure(known.at("paper").at("accuracy"), where + ".paper.accuracy"),
             figure(known.at("paper").at("f1"), where + ".paper.f1")};
     if (row.name.empty()) {
         throw UsageError(where + ".name: expected a name");
-    }
-    try {
-        train::expect_valid(row.settings);
-    } catch (const UsageError& error) {
-        throw UsageError(where + ".train." + error.what());
     }
     return row;
 }
