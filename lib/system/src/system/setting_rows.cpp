@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 
@@ -11,13 +12,15 @@
 namespace ddtool {
 namespace {
 
-/// "0.005", "1", "1000000".
+/// "0.0001", "1", "1000000"; "1e-12" and "4e+18" where zeros would have to be counted.
 std::string bare(double number) {
-    constexpr double longest = 1e15;
+    constexpr double smallest = 1e-5;
+    constexpr double largest = 1e15;
+    const double size = std::abs(number);
+    const bool plain = number == 0.0 || (size >= smallest && size <= largest);
     std::array<char, 32> text{};
-    const bool plain = number > -longest && number < longest && number == static_cast<double>(std::int64_t(number));
-    const auto end = plain ? std::to_chars(text.begin(), text.end(), static_cast<std::int64_t>(number))
-                           : std::to_chars(text.begin(), text.end(), number);
+    const auto end = std::to_chars(text.begin(), text.end(), number,
+                                   plain ? std::chars_format::fixed : std::chars_format::scientific);
     return {text.begin(), end.ptr};
 }
 
