@@ -112,7 +112,7 @@ TEST(PlanRuns, NamesWhatMakesNoSense) {
     EXPECT_THAT(said({{"worlds", {"s1"}}, {"mix", {{"particles", {0}}}}}), HasSubstr("particles: expected numbers"));
     EXPECT_THAT(said({{"worlds", {"s1"}}, {"filter", {{"update_turn_rad", 0.0}}}}),
                 HasSubstr("filter.update_turn_rad"));
-    EXPECT_THAT(said({{"worlds", {"s1"}}, {"thinning", {{"every", 0}}}}), HasSubstr("thinning: expected"));
+    EXPECT_THAT(said({{"worlds", {"s1"}}, {"thinning", {{"every", 0}}}}), HasSubstr("thinning.every: expected"));
 }
 
 TEST(ParseWorkShare, TakesOneToN) {

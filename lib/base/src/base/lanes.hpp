@@ -5,8 +5,8 @@
 
 namespace ddtool {
 
-/// Eight floats worked on together. Sums are kept lane by lane and added up in one fixed order, so that a result is
-/// the same bytes whatever vector width the processor has.
+/// Eight floats that are processed together. Sums are kept lane by lane and added up in one fixed order, so that a
+/// result has the same bytes whatever vector width the processor has.
 inline constexpr std::size_t lane_count = 8;
 using Lanes = float __attribute__((vector_size(lane_count * sizeof(float))));
 
@@ -15,7 +15,8 @@ using Lanes = float __attribute__((vector_size(lane_count * sizeof(float))));
 #if defined(__x86_64__) && !defined(__SANITIZE_THREAD__) && !defined(__SANITIZE_ADDRESS__)
 #define DDTOOL_VECTORISED __attribute__((target_clones("arch=x86-64-v3", "default")))
 #define DDTOOL_VECTORISED_WIDE __attribute__((target_clones("arch=x86-64-v4", "default")))
-/// Whether the processor has all that x86-64-v4 asks for; Clang 14 does not know the level by its name.
+/// Whether the processor has everything that x86-64-v4 requires. Each feature is named because Clang 14 does not know
+/// the level by its name.
 inline bool has_wide_registers() {
     return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
            __builtin_cpu_supports("avx512cd") && __builtin_cpu_supports("avx512dq") &&

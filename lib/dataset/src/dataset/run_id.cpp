@@ -47,10 +47,7 @@ Json identity_of_filter(Json filter) {
     filter["points"]["line_flatness"] = ScanPoints::line_flatness;
     filter["fusion"] =
         with_behind(filter.at("fusion"), "least_degree", "normal_error_rad", InformationFusion::normal_error_rad);
-    const Json seed = filter.at("seed");
-    filter.erase("seed");
-    filter["odometry_learning"] = odometry_learning_json();
-    filter["seed"] = seed;  // behind all others, as it was
+    filter = with_behind(filter, "enhanced_resampling", "odometry_learning", odometry_learning_json());
     return with_behind(filter, "likelihood_gain", "min_match_score", ScanMatch::least_score);
 }
 

@@ -5,10 +5,10 @@
 
 namespace ddtool::html {
 
-/// What every page looks like.
+/// The style sheet of every page (CSS).
 std::string_view style_sheet();
 
-/// What makes a page's explorer live: ends in the call that starts it.
+/// The script of a page's explorer (JavaScript). It ends with the call that starts it.
 std::string explorer_script();
 
 }  // namespace ddtool::html

@@ -13,17 +13,17 @@
 
 namespace ddtool::plot {
 
-/// Values from low to high; empty until something is in it.
+/// A range of values from low to high; empty until a value is included.
 struct Range {
     double low = std::numeric_limits<double>::infinity();
     double high = -std::numeric_limits<double>::infinity();
 
-    /// Grows to hold the value; ignores what is not finite.
+    /// Extends the range to contain the value. A value that is not finite is ignored.
     void include(double value);
     [[nodiscard]] double length() const { return high - low; }
 };
 
-/// The part of the plane of data that an axes box shows.
+/// The part of the data plane that an axes box shows.
 struct View {
     Range x;
     Range y;
@@ -34,27 +34,28 @@ struct View {
 };
 
 struct LineStyle {
-    std::string label;  ///< in the legend; empty: not in it
+    std::string label;  ///< for the legend; empty: no entry
     Colour colour = series_colour(0);
     double width_px = 1.5;
 };
 
 struct BarSeries {
     std::string label;
-    std::vector<double> heights;  ///< one a name
+    std::vector<double> heights;  ///< one per name
 };
 
-/// One pair of axes with what is drawn in it. Layers lie on each other in the order they were added; data that is not
-/// finite is left out. Every adding function takes its data at once and returns the axes, so that calls can be chained.
+/// A pair of axes with what is drawn in it. Layers are drawn on top of each other in the order in which they were
+/// added; data that are not finite are left out. Every function that adds a layer copies its data and returns the axes,
+/// so that calls can be chained.
 class Axes {
 public:
     Axes& title(std::string text);
     Axes& x_label(std::string text);
     Axes& y_label(std::string text);
-    /// Shows this range instead of that of the data.
+    /// Shows this range instead of the range of the data.
     Axes& x_range(double low, double high);
     Axes& y_range(double low, double high);
-    /// One unit is as long in x as in y: for maps and paths.
+    /// Draws one unit equally long in x and in y, for maps and paths.
     Axes& equal_aspect();
 
     Axes& line(std::span<const double> x, std::span<const double> y, const LineStyle& style = {});
@@ -64,11 +65,11 @@ public:
                     const std::string& bar_label);
     /// The area between two curves, e.g. quartiles.
     Axes& band(std::span<const double> x, std::span<const double> low, std::span<const double> high, Colour colour);
-    /// Groups of bars, one group a name, one bar a series.
+    /// Groups of bars: one group per name, and in it one bar per series.
     Axes& bars(const std::vector<std::string>& names, const std::vector<BarSeries>& series);
-    /// How many values fall in each of `bins` equal parts of their range.
+    /// A histogram: how many values fall in each of `bins` equal parts of their range.
     Axes& histogram(std::span<const double> values, std::size_t bins, const LineStyle& style = {});
-    /// A picture, e.g. a map, its first row at y.high.
+    /// A picture, e.g. a map, over the ranges x and y; its first row is at y.high.
     Axes& picture(const PixelView& pixels, const Range& x, const Range& y);
 
     /// Draws frame, ticks, texts and layers into the box.

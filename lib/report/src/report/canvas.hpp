@@ -21,35 +21,37 @@ struct Box {
     double height_px = 0.0;
 };
 
-/// Which point of a text lies on its anchor.
+/// Which end of a text is placed at the given point.
 enum class Anchor { left, centre, right };
 
-/// A white page to draw on, anti-aliased. Drawn twice as large and reduced at the end: OpenCV's stroke fonts read well
-/// only so. Texts are ASCII.
+/// A white page to draw on, anti-aliased. It is drawn twice as large and reduced at the end, because only then are
+/// OpenCV's stroke fonts easy to read. Texts must be ASCII.
 class Canvas {
 public:
     Canvas(double width_px, double height_px);
 
-    /// The part of this canvas in a box: what is drawn there is seen here, and nothing of it outside of the box.
+    /// The part of this canvas in a box. It shares its pixels with this canvas, and nothing that is drawn in it appears
+    /// outside of the box.
     [[nodiscard]] Canvas window(const Box& box) const;
 
     void line(const Pixel& from, const Pixel& to, Colour colour, double width_px);
-    /// Points that are not finite leave a gap.
+    /// A line through the points. A point that is not finite leaves a gap.
     void path(const std::vector<Pixel>& points, Colour colour, double width_px);
     void disc(const Pixel& centre, double radius_px, Colour colour);
     void fill(const Box& box, Colour colour);
-    /// Half-transparent area between the points.
+    /// A half-transparent area with these corners.
     void shade(const std::vector<Pixel>& corners, Colour colour);
     /// Grey or BGR picture, stretched over the box.
     void picture(const cv::Mat& picture, const Box& box);
-    /// height_px: of a capital letter. The anchor is at its middle height.
+    /// \param at the point at half the height of the text, at the end that `anchor` names
+    /// \param height_px the height of a capital letter
     void text(const Pixel& at, const std::string& words, double height_px, Anchor anchor = Anchor::centre,
               Colour colour = black);
-    /// The same, reading upwards.
+    /// The same for a text that is turned to be read from bottom to top.
     void upright_text(const Pixel& at, const std::string& words, double height_px);
     [[nodiscard]] static double text_width_px(const std::string& words, double height_px);
 
-    /// The page in its own size, BGR.
+    /// The page in its final size, BGR.
     [[nodiscard]] cv::Mat3b page() const;
 
 private:

@@ -18,7 +18,8 @@ inline constexpr Colour black{0, 0, 0};
 inline constexpr Colour grey{150, 150, 150};
 inline constexpr Colour light_grey{225, 225, 225};
 
-/// Seven colours that stay apart for colour-blind eyes (Okabe and Ito 2008, without yellow), then round again.
+/// Seven colours that colour-blind people can tell apart (Okabe and Ito 2008, without yellow). From index 7 on they
+/// repeat.
 Colour series_colour(std::size_t index);
 
 /// From dark blue (0) through red to orange (1), readable on white: most of matplotlib's "plasma".

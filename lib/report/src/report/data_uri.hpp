@@ -5,10 +5,10 @@
 
 namespace ddtool::html {
 
-/// RFC 4648, section 4, padded.
+/// The bytes in base64 (RFC 4648, section 4), padded.
 std::string base64(std::string_view bytes);
 
-/// A PNG file's bytes as an address that holds them (RFC 2397).
+/// A data URI (RFC 2397) that contains the bytes of a PNG file.
 std::string png_uri(std::string_view png);
 
 }  // namespace ddtool::html

@@ -20,12 +20,12 @@ class Figure {
 public:
     explicit Figure(FigureLayout layout = {});
 
-    /// The axes in that place, row 0 at the top; empty ones stay white.
+    /// The axes in that place; row 0 is at the top. Places without axes stay white.
     Axes& axes(std::size_t row = 0, std::size_t column = 0);
 
-    /// BGR.
+    /// The figure as a picture, BGR.
     [[nodiscard]] cv::Mat3b render() const;
-    /// Throws Error naming the file.
+    /// Writes the figure as PNG. Throws Error naming the file if it cannot be written.
     void write_png(const std::filesystem::path& path) const;
 
 private:

@@ -9,36 +9,39 @@
 
 namespace ddtool {
 
-/// Rows under named columns, for people (text, Markdown) and for machines (CSV, JSON).
+/// A table with named columns, written for people (as text or Markdown) and for machines (as CSV or JSON).
 class Table {
 public:
     struct Column {
         std::string name;
-        int decimals = 3;  ///< of its numbers in text and Markdown; machines get all digits
+        int decimals = 3;  ///< digits after the point in text and Markdown; CSV and JSON have all digits
     };
-    /// Text, a measured number or a count. NaN is a number that is missing: "-" for people, nothing for machines.
+    /// A text, a measured number or a count. NaN stands for a missing number: it is written as "-" for people, and left
+    /// empty (null) for machines.
     using Cell = std::variant<std::string, double, std::int64_t>;
 
     explicit Table(std::vector<Column> columns);
 
-    /// One cell a column; throws std::invalid_argument otherwise.
+    /// Adds a row with one cell per column; throws std::invalid_argument for another number of cells.
     void add_row(std::vector<Cell> cells);
 
     [[nodiscard]] bool empty() const { return rows_.empty(); }
 
-    /// What people read: the columns' names first, then a line a row, all of the same length.
+    /// The table in words for people: first the names of the columns, then one line per row, all with the same number
+    /// of words.
     struct Words {
         std::vector<std::vector<std::string>> lines;
-        std::vector<bool> numeric;  ///< one a column: numbers, to be set to the right
+        std::vector<bool> numeric;  ///< one per column: whether it holds numbers, which are aligned right
     };
     [[nodiscard]] Words words() const;
 
-    /// Columns aligned with blanks: words to the left, numbers to the right. Ends with a line break, as all do.
+    /// Columns aligned with blanks, words to the left and numbers to the right. Like the other forms, it ends with a
+    /// line break.
     [[nodiscard]] std::string text() const;
     [[nodiscard]] std::string markdown() const;
     /// RFC 4180, with a header line.
     [[nodiscard]] std::string csv() const;
-    /// An array of objects, one a row, with the column names as keys.
+    /// An array of objects, one per row, with the column names as keys.
     [[nodiscard]] Json json() const;
 
 private:

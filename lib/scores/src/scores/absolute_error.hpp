@@ -14,15 +14,15 @@ struct AteOptions {
 
 struct AteResult {
     Pose2 reference_from_estimate;  ///< the alignment
-    std::vector<PosePair> pairs;    ///< the estimate is aligned: both are in the reference's frame
-    std::vector<double> errors_m;   ///< distance between the positions, one a pair
+    std::vector<PosePair> pairs;    ///< after the alignment: both poses are in the reference's frame
+    std::vector<double> errors_m;   ///< distance between the positions, one per pair
     ErrorStatistics translation_m;  ///< its rmse is what papers call the ATE
     ErrorStatistics error_x_m;      ///< |x - x_reference|; the paper's Error_x is the mean
     ErrorStatistics error_y_m;
 };
 
-/// Absolute trajectory error, translation part (Sturm et al. 2012; evo's APE). Throws Error when no pose of the
-/// estimate has a partner in the reference.
+/// Absolute trajectory error, translation part (Sturm et al. 2012; evo's APE). The two trajectories may have different
+/// world frames. Throws Error if no pose of the estimate has a pose of the reference at the same time.
 AteResult absolute_trajectory_error(const Trajectory& estimate, const Trajectory& reference,
                                     const AteOptions& options = {});
 

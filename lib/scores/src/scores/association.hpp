@@ -10,16 +10,17 @@
 
 namespace ddtool {
 
-/// How far apart two stamps may be and still mean the same moment: evo's default.
+/// The largest difference in seconds of two stamps that still count as the same moment: evo's default.
 inline constexpr double default_max_time_difference_s = 0.01;
 
-/// Finds poses by time in a trajectory whose stamps need not rise. The trajectory's own order stays as it is.
+/// Finds poses by time in a trajectory whose stamps need not rise. The trajectory itself is not reordered.
 class StampIndex {
 public:
     explicit StampIndex(const Trajectory& trajectory);
 
-    /// Position in the trajectory of the pose nearest in time, none farther away than max_time_difference_s. Of equal
-    /// stamps the first in the trajectory; of two equally near, the earlier.
+    /// The index in the trajectory of the pose that is nearest in time; nullopt if none is within
+    /// max_time_difference_s. Of poses with equal stamps it is the first one in the trajectory, and of two that are
+    /// equally near the earlier one.
     [[nodiscard]] std::optional<std::size_t> nearest(std::int64_t stamp_ns, double max_time_difference_s) const;
 
 private:
@@ -33,8 +34,9 @@ struct PosePair {
     Pose2 reference;
 };
 
-/// Pairs two trajectories as evo's associate_trajectories does: every pose of the shorter one (the estimate, when both
-/// are equally long) takes the nearest of the longer one within the tolerance. In the order of the shorter one.
+/// Pairs two trajectories as evo's associate_trajectories does: every pose of the shorter one (the estimate, if both
+/// are equally long) is paired with the nearest pose of the longer one within the tolerance. The pairs are in the order
+/// of the shorter trajectory.
 std::vector<PosePair> associate(const Trajectory& estimate, const Trajectory& reference, double max_time_difference_s);
 
 }  // namespace ddtool

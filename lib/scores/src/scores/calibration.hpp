@@ -6,19 +6,19 @@
 
 namespace ddtool {
 
-/// The samples whose probability of being positive was said to lie between low and high.
+/// The samples for which the predicted probability of being positive lies between low and high.
 struct ReliabilityBin {
     double low = 0.0;
     double high = 0.0;
     std::size_t count = 0;
-    double mean_probability = 0.0;  ///< what was said; NaN for an empty bin
-    double positive_share = 0.0;    ///< what was so; NaN for an empty bin
+    double mean_probability = 0.0;  ///< mean predicted probability; NaN for an empty bin
+    double positive_share = 0.0;    ///< share of samples that are positive; NaN for an empty bin
 };
 
 inline constexpr std::size_t reliability_bin_count = 15;
 
-/// Bins of equal width over 0..1, the upper edge belonging to the bin but for the first, which has both. Both spans
-/// have the same length.
+/// Bins of equal width over 0..1. The upper edge belongs to its bin; the first bin contains both of its edges. Both
+/// spans must have the same length.
 std::vector<ReliabilityBin> reliability(std::span<const double> probabilities, const std::vector<bool>& positive,
                                         std::size_t bins = reliability_bin_count);
 
@@ -30,8 +30,8 @@ double expected_calibration_error(std::span<const ReliabilityBin> bins);
 /// taken as 1e-9 from the edge.
 double at_temperature(double probability, double temperature);
 
-/// The temperature in 0.01..100 at which the probabilities have the least negative log-likelihood; unique, since that
-/// is convex in 1/temperature. 1 for no samples. Both spans have the same length.
+/// The temperature in 0.01..100 at which the probabilities have the smallest negative log-likelihood. It is unique,
+/// because that function is convex in 1/temperature. 1 for no samples. Both spans must have the same length.
 double fitted_temperature(std::span<const double> probabilities, const std::vector<bool>& positive);
 
 }  // namespace ddtool

@@ -6,7 +6,7 @@
 
 namespace ddtool {
 
-/// Decisions against the truth, counted. A share is NaN where its denominator is zero.
+/// Counts of decisions compared with the truth. A share is NaN if its denominator is zero.
 struct Confusion {
     std::uint64_t true_positives = 0;
     std::uint64_t false_positives = 0;
@@ -15,19 +15,19 @@ struct Confusion {
 
     void add(bool decided, bool positive);
     [[nodiscard]] std::uint64_t count() const;
-    /// Share of the decisions that are right.
+    /// The share of all decisions that are right.
     [[nodiscard]] double accuracy() const;
-    /// Share of those decided positive that are.
+    /// The share of those decided positive that are positive.
     [[nodiscard]] double precision() const;
-    /// Share of the positives that are decided so.
+    /// The share of the positives that were decided positive.
     [[nodiscard]] double recall() const;
     /// Harmonic mean of precision and recall: 2 tp / (2 tp + fp + fn).
     [[nodiscard]] double f1() const;
     bool operator==(const Confusion&) const = default;
 };
 
-/// Decides positive where the score is above the threshold, so a NaN score is decided negative. Both spans have the
-/// same length.
+/// Decides positive if the score is above the threshold; a NaN score is therefore decided negative. Both spans must
+/// have the same length.
 Confusion confusion_of(std::span<const double> scores, const std::vector<bool>& positive, double threshold);
 
 }  // namespace ddtool

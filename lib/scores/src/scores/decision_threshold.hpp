@@ -5,14 +5,15 @@
 
 namespace ddtool {
 
-/// A cut through scores: those on one side of it are decided positive.
+/// A threshold for scores: samples on one side of it are decided positive.
 struct DecisionThreshold {
     double value = 0.0;
-    bool positive_above = true;  ///< or else below
+    bool positive_above = true;  ///< false: positive below the threshold
 };
 
-/// The cut that decides most of these samples right, on whichever side; halfway between two scores, or infinite where
-/// one decision for all is best. Of equally good ones the lowest. Scores are no NaN, both spans have the same length.
+/// The threshold, and the side, with which most of these samples are decided correctly. It lies halfway between two
+/// scores, or is infinite if one decision for all samples is best. Of equally good thresholds it is the lowest. Scores
+/// must not be NaN, and both spans must have the same length.
 DecisionThreshold most_accurate_threshold(std::span<const double> scores, const std::vector<bool>& positive);
 
 }  // namespace ddtool

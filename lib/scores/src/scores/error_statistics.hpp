@@ -7,7 +7,7 @@
 
 namespace ddtool {
 
-/// Errors in one figure each, as evo defines them. All are NaN where there was nothing to count.
+/// Summary statistics of errors, as evo defines them, in the unit of the errors. All are NaN if there are no errors.
 struct ErrorStatistics {
     std::size_t count = 0;
     double rmse = 0.0;

@@ -10,7 +10,7 @@
 
 namespace ddtool {
 
-/// A true motion between two moments, checked by hand (Kuemmerle et al. 2009, "On measuring the accuracy of SLAM
+/// The true motion between two times, checked by hand (Kuemmerle et al. 2009, "On measuring the accuracy of SLAM
 /// algorithms").
 struct Relation {
     std::int64_t from_ns = 0;
@@ -18,22 +18,22 @@ struct Relation {
     Pose2 motion;  ///< the pose at to_ns seen from the one at from_ns
 };
 
-/// Reads "time1_s time2_s x_m y_m z_m roll_rad pitch_rad yaw_rad" a line; '#' begins a comment. x, y and yaw are kept.
-/// Throws Error naming the file, the line and what was expected.
+/// Reads lines of the form "time1_s time2_s x_m y_m z_m roll_rad pitch_rad yaw_rad"; '#' begins a comment. x, y and yaw
+/// are kept. Throws Error naming the file, the line and what was expected.
 std::vector<Relation> read_relations(const std::filesystem::path& path);
 
 struct RelationErrors {
-    std::vector<std::int64_t> from_ns;  ///< of the relations scored, in their order
-    std::vector<double> errors_m;       ///< one a relation scored
+    std::vector<std::int64_t> from_ns;  ///< from_ns of the relations that were scored, in their order
+    std::vector<double> errors_m;       ///< one per relation that was scored
     std::vector<double> errors_deg;
     ErrorStatistics translation_m;
     ErrorStatistics rotation_deg;
-    std::size_t skipped = 0;  ///< relations one of whose times is not in the trajectory
+    std::size_t skipped = 0;  ///< relations that have a time for which the trajectory has no pose
 };
 
-/// Error of each relation: with x_i, x_j the trajectory's poses at its times and d the true motion, the pose
-/// inverse(inverse(x_i) * x_j) * d; length and absolute angle are averaged apart (Kuemmerle et al., eq. 4 and 5).
-/// A time stands for the pose nearest to it within max_time_difference_s.
+/// The error of each relation: with x_i, x_j the poses of the trajectory at its two times and d the true motion, it is
+/// the pose inverse(inverse(x_i) * x_j) * d, whose length and absolute angle are averaged separately (Kuemmerle et al.,
+/// eq. 4 and 5). The pose at a time is the one nearest to it within max_time_difference_s.
 RelationErrors score_relations(const Trajectory& trajectory, const std::vector<Relation>& relations,
                                double max_time_difference_s = default_max_time_difference_s);
 

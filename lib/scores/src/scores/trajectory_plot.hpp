@@ -5,8 +5,8 @@
 
 namespace ddtool::plot {
 
-/// The aligned estimate coloured by its distance from the reference, the reference as a thin black line on it, and
-/// below the distance over time.
+/// A figure with the aligned estimate coloured by its distance from the reference, the reference as a thin black line
+/// on top, and below it the distance over time.
 Figure error_figure(const AteResult& result);
 
 }  // namespace ddtool::plot

@@ -15,14 +15,14 @@ struct ScoreOptions {
     RpeDelta rpe_delta;
 };
 
-/// All that can be said of a trajectory with the truth at hand.
+/// All errors of a trajectory that the available truth allows to compute.
 struct TrajectoryScore {
-    std::optional<AteResult> absolute;  ///< both, where there is a reference trajectory
+    std::optional<AteResult> absolute;  ///< set, like `relative`, if there is a reference trajectory
     std::optional<RpeResult> relative;
     std::optional<RelationErrors> relations;
 };
 
-/// Compares with a reference trajectory. Throws Error when the two have no moment in common.
+/// Compares with a reference trajectory. Throws Error if the two have no moment in common.
 TrajectoryScore score_against(const Trajectory& estimate, const Trajectory& reference,
                               const ScoreOptions& options = {});
 
@@ -44,7 +44,7 @@ ScoreFigures figures_of(const TrajectoryScore& score);
 void to_json(Json& json, const ScoreFigures& figures);
 void from_json(const Json& json, ScoreFigures& figures);
 
-/// One row an error: its statistics.
+/// A table with one row per kind of error: its statistics.
 Table score_table(const TrajectoryScore& score);
 
 /// The figures as JSON.

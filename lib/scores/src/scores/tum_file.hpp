@@ -7,17 +7,18 @@
 
 namespace ddtool {
 
-/// TUM RGB-D trajectory files (Sturm et al. 2012): "stamp_s x y z qx qy qz qw" a line, '#' begins a comment.
-/// Of a 3-D pose, x, y and the yaw are kept. Throws Error naming the file, the line and what was expected.
+/// TUM RGB-D trajectory files (Sturm et al. 2012): each line is "stamp_s x y z qx qy qz qw", and '#' begins a comment.
+/// Of a pose in space, x, y and the yaw are kept. read_tum() throws Error naming the file, the line and what was
+/// expected; write_tum() throws OutputError naming the file.
 Trajectory read_tum(const std::filesystem::path& path);
 void write_tum(const std::filesystem::path& path, const Trajectory& trajectory);
 
-/// The same, pose by pose. Throws OutputError naming the file.
+/// Writes a TUM file pose by pose. Throws OutputError naming the file.
 class TumStream {
 public:
     explicit TumStream(const std::filesystem::path& path);
     void add(const StampedPose& pose);
-    /// Completes the file; without it nothing is left behind.
+    /// Completes the file. Without close() no file is left behind.
     void close() { file_.close(); }
 
 private:

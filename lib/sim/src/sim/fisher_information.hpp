@@ -6,8 +6,8 @@
 
 namespace ddtool::sim {
 
-/// Fisher information of a scan about the robot's pose, 3 x 3, for (x, y, theta) in the robot's frame: in 1/m^2, 1/m
-/// and 1. The inverse, where it exists, is the least covariance that any scan matching against the true map can reach
+/// Fisher information of a scan about the robot's pose: 3 x 3 over (x, y, theta) in the robot's frame, in 1/m^2, 1/m
+/// and 1. Its inverse, if it exists, is the smallest covariance that any scan matching with the true map can reach
 /// (Censi 2007, "On achievable accuracy for range-finder localization", eq. 3; Cramer-Rao).
 ///
 /// A beam from p along u (robot's frame) that meets a surface of normal n at h = p + r u has

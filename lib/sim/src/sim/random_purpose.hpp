@@ -4,9 +4,10 @@
 
 namespace ddtool::sim {
 
-/// Second key of the simulator's random streams, after the seed: no two uses of chance share a stream.
+/// The second key of the simulator's random streams, after the seed. Every purpose has a key of its own, so that no two
+/// purposes share a stream.
 enum RandomPurpose : std::uint64_t {
-    odometry_run = 1,   ///< what one run of the odometry keeps: scale error, gyro bias
+    odometry_run = 1,   ///< the constants of one run: scale error, gyro bias
     odometry_step = 2,  ///< third key: the step
     scan_noise = 3,     ///< third key: the scan
     texture_layout = 4,

@@ -6,8 +6,8 @@
 
 namespace ddtool::sim {
 
-/// Worlds drawn by seed, for training and held-out tests. The same seed gives the same world; the route keeps 0.35 m
-/// from everything.
+/// Random worlds for training and held-out tests. The same seed gives the same world; the route keeps a distance of at
+/// least 0.35 m from everything.
 
 /// A corridor with rooms on both sides, doors, furniture; the robot visits some of the rooms.
 World random_office(std::uint64_t seed);

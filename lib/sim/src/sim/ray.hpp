@@ -20,7 +20,7 @@ struct Hit {
     int surface = -1;  ///< which segment or arc of the world: equal for two hits on the same one
 };
 
-/// Where the ray first meets the surface; none if it misses. Exact for arcs too: no polygons.
+/// The first hit of the ray on the surface; nullopt if it misses. Arcs are computed exactly, not as polygons.
 std::optional<Hit> intersect(const Ray& ray, const Segment& segment);
 std::optional<Hit> intersect(const Ray& ray, const Arc& arc);
 

@@ -15,7 +15,7 @@ class RayCaster {
 public:
     explicit RayCaster(const World& world);
 
-    /// The nearest surface within max_range_m; none if there is none. Safe to call from many threads.
+    /// The hit on the nearest surface within max_range_m; nullopt if there is none. Safe to call from many threads.
     [[nodiscard]] std::optional<Hit> cast(const Ray& ray, double max_range_m) const;
 
 private:

@@ -9,7 +9,7 @@
 
 namespace ddtool::sim {
 
-/// A simulation as the filter sees it, without a file between.
+/// A simulation as a stream of frames for the filter, without a file in between.
 class SimulatedStream : public SensorStream {
 public:
     SimulatedStream(const World& world, const SimulationSettings& settings) : simulation_(world, settings) {}

@@ -24,13 +24,14 @@ struct SimulationSettings {
 
 struct SimulatedFrame {
     SensorFrame frame;  ///< with the true pose
-    /// Of the scan without noise or motion distortion at the true pose; see fisher_information.hpp.
+    /// The Fisher information of the scan without noise or motion distortion, at the true pose; see
+    /// fisher_information.hpp.
     Eigen::Matrix3d fisher_information = Eigen::Matrix3d::Zero();
 };
 
-/// A drive through a world: the true way and the odometry are worked out at once, each scan when it is asked for.
-/// Chance is drawn from a stream per (seed, purpose, scan or step), so frames may be asked for in any order and from
-/// many threads and are the same bytes.
+/// A drive through a world. The true path and the odometry are computed in the constructor, each scan when it is asked
+/// for. Random numbers come from one stream per (seed, purpose, scan or step), so that frames may be asked for in any
+/// order and from many threads, and always have the same bytes.
 class Simulation {
 public:
     Simulation(const World& world, const SimulationSettings& settings);
@@ -41,7 +42,7 @@ public:
     /// odom_from_robot at the odometry's rate; the odom frame is the robot's at the start.
     [[nodiscard]] const Trajectory& odometry() const { return odometry_; }
     [[nodiscard]] std::size_t frame_count() const { return frame_count_; }
-    /// When the frame is taken.
+    /// The stamp of the frame.
     [[nodiscard]] std::int64_t stamp_ns(std::size_t index) const;
     [[nodiscard]] SimulatedFrame frame(std::size_t index) const;
 

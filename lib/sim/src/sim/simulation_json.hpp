@@ -11,11 +11,12 @@ namespace ddtool::sim {
 /// What is known of each setting of a simulation, in the order of their JSON.
 std::vector<Setting> simulation_setting_list();
 
-/// Every setting of a simulation with its default: the keys a configuration may have. In `lidar` and `odometry` the
-/// `preset` names where the values come from, and null leaves a value to it.
+/// Every setting of a simulation with its default: the keys that a configuration may have. In `lidar` and `odometry`,
+/// `preset` names the preset from which the values come; a value that is null is the preset's.
 Json default_simulation_json();
 
-/// The defaults for many simulations at once, whose worlds and seeds come from lists.
+/// The same defaults for commands that run many simulations, without world and seed, which come from the lists of these
+/// commands.
 Json common_simulation_json();
 
 /// The world is named beside the settings, as `world`; see load_world(). Throws UsageError naming the key for an

@@ -8,8 +8,9 @@
 
 namespace ddtool::sim {
 
-/// How wheels and gyro err. A run draws one scale error and one gyro bias and keeps them; noise is a random walk, its
-/// variance growing in proportion to the motion, so it does not depend on the odometry's rate.
+/// The errors of wheels and gyro. Each run draws one scale error and one gyro bias, which stay constant. Noise is a
+/// random walk whose variance grows in proportion to the motion, so that it does not depend on the rate of the
+/// odometry.
 struct OdometrySettings {
     double rate_hz = 50.0;
     double scale_error_sd = 0.005;  ///< relative error of distances (wheel radius), standard deviation over runs
@@ -22,13 +23,14 @@ struct OdometrySettings {
     double slip_rad = 2.0e-3;    ///< standard deviation of the heading error of a slip
 };
 
-/// `good` (calibrated, with a good gyro), `typical`, `poor` (wheels alone on a slippery floor); docs/simulator.md
-/// states the drift measured for each. Throws UsageError for another name.
+/// The preset `good` (calibrated, with a good gyro), `typical` or `poor` (wheels alone on a slippery floor);
+/// docs/simulator.md states the drift measured for each. Throws UsageError for any other name.
 OdometrySettings odometry_preset(const std::string& name);
 std::vector<std::string> odometry_preset_names();
 
-/// odom_from_robot at the odometry's rate, the first at the trajectory's first stamp (where it is the zero pose), the
-/// last not before its last stamp.
+/// The odometry (odom_from_robot) at its own rate. The first pose is at the first stamp of the true trajectory and is
+/// the zero pose; the last one is not earlier than the last stamp of the true trajectory.
+/// \param truth world_from_robot, with rising stamps
 Trajectory simulate_odometry(const Trajectory& truth, const OdometrySettings& settings, std::uint64_t seed);
 
 }  // namespace ddtool::sim

@@ -13,7 +13,8 @@ struct Segment {
     Point2 b;
 };
 
-/// The part of a circle that starts at start_rad and goes sweep_rad counter-clockwise; 2 pi is the whole circle.
+/// The part of a circle that starts at start_rad and extends counter-clockwise by sweep_rad; 2 pi is the whole circle.
+/// Metres, in the world frame.
 struct Arc {
     Point2 centre;
     double radius_m = 1.0;
@@ -21,15 +22,16 @@ struct Arc {
     double sweep_rad = 2.0 * std::numbers::pi;
 };
 
-/// What the robot drives: from `start` to each way point in turn, the list `laps` times over (1.25 laps of four way
-/// points are five). A list that ends at the start is a closed track.
+/// The route of the robot: from `start` to each way point in turn, through the whole list `laps` times (1.25 laps of
+/// four way points are five points). If the list ends at the start, the route is a closed track. Metres, in the world
+/// frame.
 struct Route {
     Pose2 start;  ///< world_from_robot
     std::vector<Point2> way_points;
     double laps = 1.0;
 };
 
-/// Everything a lidar can see, and the way through it. The world frame is the file's; metres.
+/// Everything that a lidar can see, and the route through it. Coordinates are metres in the frame of the world's file.
 struct World {
     std::string name;
     std::string description;
@@ -44,7 +46,7 @@ std::vector<Point2> all_way_points(const Route& route);
 /// The point of the straight lines between the start and the way points that is nearest to `point`.
 Point2 nearest_on_route(const Route& route, const Point2& point);
 
-/// Adds a line through the points; a closed one ends where it began.
+/// Adds walls along a line through the points. A closed line ends at the point where it begins.
 void add_polyline(World& world, const std::vector<Point2>& points);
 /// Adds the outline of a box; world_from_box is its centre and heading.
 void add_box(World& world, const Pose2& world_from_box, double length_m, double width_m);

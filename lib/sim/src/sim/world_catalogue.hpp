@@ -7,9 +7,8 @@
 
 namespace ddtool::sim {
 
-/// The world of a name: a built-in one (`s2`), a drawn one (`random:office:17`) or a file (`PATH.json`); any of them
-/// with
-/// `-textured` behind it, see texture.hpp. Throws UsageError for an unknown name or a bad file.
+/// Loads a world by name: a built-in one (`s2`), a random one (`random:office:17`) or a file (`PATH.json`). Any of them
+/// may be followed by `-textured`, see texture.hpp. Throws UsageError for an unknown name or an invalid file.
 World load_world(const std::string& name);
 
 struct WorldEntry {
@@ -17,7 +16,7 @@ struct WorldEntry {
     std::string description;
 };
 
-/// What load_world() knows by name.
+/// The names that load_world() knows, except files.
 std::vector<WorldEntry> list_worlds();
 
 }  // namespace ddtool::sim

@@ -6,7 +6,7 @@
 
 namespace ddtool::sim {
 
-/// Fingerprint of what a simulation depends on: walls, arcs and the route, not names.
+/// Fingerprint of everything in a world that a simulation depends on: walls, arcs and the route, but not names.
 std::string world_fingerprint(const World& world);
 
 }  // namespace ddtool::sim

@@ -7,8 +7,9 @@
 
 namespace ddtool::sim {
 
-/// A world as its file writes it (docs/simulator.md lists the keys). Throws UsageError naming `source`, the key and
-/// what was expected.
+/// Reads a world in the form of its file (docs/simulator.md lists the keys).
+/// \param source names the file in messages
+/// Throws UsageError naming `source`, the key and what was expected.
 World world_from_json(const Json& json, const std::string& source);
 
 }  // namespace ddtool::sim

@@ -11,24 +11,26 @@
 
 namespace ddtool {
 
-/// What was to be written cannot be: the disk is full, the folder read-only. It would not be otherwise for the next
-/// file, so it ends a command even where one failed run among many does not.
+/// A file cannot be written, for example because the disk is full or the folder is read-only. The next file would fail
+/// for the same reason, so this error ends a whole command, even one that goes on when a single run has failed.
 class OutputError : public Error {
 public:
     explicit OutputError(const std::string& what) : Error(what) {}
 };
 
-/// A file that appears under its name only when it is whole: written beside as NAME.part, flushed, then renamed.
-/// Destroyed without commit(), the part is removed and an older file of that name stays as it was.
+/// A file that appears under its name only when it is complete: it is written beside its place as NAME.part, flushed,
+/// and then renamed. If the object is destroyed without commit(), the part is removed, and an older file of that name
+/// stays as it was. For one thread at a time.
 class AtomicFile {
 public:
-    /// A part that an earlier program left is removed; were it a link, what is written would go where it points.
+    /// Removes a part that an earlier program has left behind. If that part were a link, the data would be written to
+    /// the place that it points to.
     explicit AtomicFile(std::filesystem::path path);
     ~AtomicFile();
     AtomicFile(const AtomicFile&) = delete;
     AtomicFile& operator=(const AtomicFile&) = delete;
 
-    /// Where to write until commit(). Not yet created.
+    /// The path to write to until commit(). The file is not created yet.
     [[nodiscard]] const std::filesystem::path& part() const { return part_; }
     /// Syncs the part to disk and renames it. Throws OutputError naming the file and the system's reason.
     void commit();
@@ -39,18 +41,19 @@ private:
     bool committed_ = false;
 };
 
-/// An AtomicFile that is written bit by bit. Throws OutputError naming the file and the system's reason when it cannot.
+/// An AtomicFile that is written piece by piece. Throws OutputError naming the file and the system's reason if writing
+/// fails. For one thread at a time.
 class AtomicStream {
 public:
     explicit AtomicStream(const std::filesystem::path& path);
-    /// Calls write(std::ostream&).
+    /// Calls write(std::ostream&), and throws OutputError if the stream has failed afterwards.
     template <typename Write>
     void write(Write&& write) {
         errno = 0;
         write(stream_);
         expect_written();
     }
-    /// Completes the file.
+    /// Completes the file, which then appears under its name. Without close() nothing is left behind.
     void close();
 
 private:
@@ -65,7 +68,7 @@ private:
 void write_file(const std::filesystem::path& path, const std::function<void(std::ostream&)>& write);
 void write_file(const std::filesystem::path& path, std::string_view content);
 
-/// The whole file as bytes. Throws Error naming the file and the system's reason.
+/// Returns the content of the whole file. Throws Error naming the file and the system's reason if it cannot be read.
 std::string read_file(const std::filesystem::path& path);
 
 }  // namespace ddtool

@@ -8,12 +8,14 @@
 
 namespace ddtool {
 
-/// CRC-32 of ISO 3309, the one of MCAP and zlib. `before`: the CRC of the bytes that come before these.
+/// CRC-32 of ISO 3309, as MCAP and zlib use it.
+/// \param before the CRC of the bytes that precede these; 0 if there are none
 inline std::uint32_t crc32_of(std::span<const std::byte> bytes, std::uint32_t before = 0) {
     return static_cast<std::uint32_t>(crc32_z(before, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size()));
 }
 
-/// CRC-32C (Castagnoli; RFC 3720, appendix B.4), the one of TensorBoard's event files. Bit by bit, for small files.
+/// CRC-32C (Castagnoli; RFC 3720, appendix B.4), as TensorBoard's event files use it. Computed bit by bit, so it is for
+/// small files only.
 constexpr std::uint32_t crc32c_of(std::span<const std::byte> bytes) {
     constexpr std::uint32_t reversed_polynomial = 0x82f63b78U;
     std::uint32_t crc = 0xffffffffU;

@@ -5,8 +5,9 @@
 
 namespace ddtool {
 
-/// What an exception says, as one line: ours as it is, others' up to their first line break (LibTorch adds a stack),
-/// and a shortage of memory, which each library puts in its own words, in ours.
+/// The message of an exception as one line: our own messages unchanged, those of other libraries up to the first line
+/// break (LibTorch appends a stack trace), and one fixed text for a shortage of memory, which every library words
+/// differently.
 std::string failure_text(const std::exception& failure);
 
 }  // namespace ddtool

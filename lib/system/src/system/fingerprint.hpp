@@ -7,12 +7,12 @@
 
 namespace ddtool {
 
-/// FNV-1a over 64 bits (Fowler, Noll, Vo; RFC 9923): tells results of different configurations apart, the same on
-/// every machine. No protection against malice.
+/// FNV-1a over 64 bits (Fowler, Noll, Vo; RFC 9923): it tells results of different configurations apart, and is the
+/// same on every machine. It does not protect against somebody who wants two contents to have the same fingerprint.
 class Fingerprint {
 public:
     Fingerprint& add(std::string_view bytes);
-    /// The bits of the number.
+    /// Adds the bits of the number, so that any two different bit patterns count as different.
     Fingerprint& add(double value);
     [[nodiscard]] std::uint64_t value() const { return state_; }
     /// 16 hexadecimal digits.
@@ -22,7 +22,8 @@ private:
     std::uint64_t state_ = 0xcbf29ce484222325U;
 };
 
-/// Of a file's content; "unreadable" for a file that is not there, so that one that appears later makes a difference.
+/// The fingerprint of a file's content in the form of Fingerprint::hex(). Returns "unreadable" if the file cannot be
+/// opened, so that a file that appears later changes the result.
 std::string file_fingerprint(const std::filesystem::path& path);
 
 }  // namespace ddtool

@@ -12,7 +12,7 @@ public:
     InterruptRequest& operator=(const InterruptRequest&) = delete;
 
     [[nodiscard]] bool made() const;
-    /// Returns when it is made.
+    /// Blocks until the request has been made.
     void wait() const;
 };
 

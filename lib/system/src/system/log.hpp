@@ -4,15 +4,16 @@
 
 namespace ddtool {
 
-/// The one home of diagnostics: a line each on stderr, "ddtool: warning: ...", in colour on a terminal unless NO_COLOR
-/// is set (https://no-color.org). Results go to stdout, and what ends a command is an Error instead.
+/// Diagnostics: each is one line on stderr, "ddtool: warning: ...", in colour on a terminal unless NO_COLOR is set
+/// (https://no-color.org). Results go to stdout instead, and whatever ends a command is an Error. The functions may be
+/// called from any thread.
 enum class LogLevel : int { debug, info, warning, error };
 
 /// Lines below `level` are dropped. The level at start is info.
 void set_log_level(LogLevel level);
-/// Whether lines of this level are written; progress shows at info.
+/// Whether lines of this level are written. Progress lines are shown if info is.
 bool log_shows(LogLevel level);
-/// A level by its name, "debug", "info", "warning" or "error". Throws UsageError for another.
+/// Returns the level named "debug", "info", "warning" or "error". Throws UsageError for any other name.
 LogLevel log_level_named(const std::string& name);
 
 void log_debug(const std::string& line);

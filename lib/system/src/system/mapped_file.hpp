@@ -6,8 +6,8 @@
 
 namespace ddtool {
 
-/// A file seen as memory, read only; the system loads what is touched and drops it when memory is short. The bytes are
-/// aligned to a page.
+/// A file mapped into memory, read only. The system loads the pages that are used and drops them when memory is short.
+/// The bytes are aligned to a page.
 class MappedFile {
 public:
     /// Throws Error naming the file and the system's reason.
@@ -18,8 +18,9 @@ public:
     MappedFile(const MappedFile&) = delete;
     MappedFile& operator=(const MappedFile&) = delete;
 
-    /// Valid as long as this or what it was moved into lives. A file that is cut short while it is mapped ends the
-    /// program (SIGBUS): files here are replaced by renaming, never rewritten.
+    /// Valid as long as this object, or the one that it was moved into, exists. If the file is shortened while it is
+    /// mapped, the program is ended by SIGBUS; therefore ddtool replaces files by renaming and never rewrites them in
+    /// place.
     [[nodiscard]] std::span<const std::byte> bytes() const { return bytes_; }
 
 private:

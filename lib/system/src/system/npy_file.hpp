@@ -12,17 +12,21 @@
 
 namespace ddtool {
 
-/// What the rows of an .npy file are (NumPy Enhancement Proposal 1, format 1.0, C order).
+/// The form of the rows of an .npy file (NumPy Enhancement Proposal 1, format 1.0, C order).
 struct NpyFormat {
     std::string descr;        ///< dtype as NumPy prints it: '<f8' with its quotes, or a list of fields
     std::size_t columns = 0;  ///< length of the second axis; 0: the array has one axis
 };
 
-/// Writes a whole file: the header for that many rows, then what write_rows puts out. Throws Error.
+/// Writes a whole file: a header for `rows` rows, and then the bytes that write_rows writes, which must be those of
+/// exactly that many rows. Throws OutputError naming the file.
 void write_npy(const std::filesystem::path& path, const NpyFormat& format, std::size_t rows,
                const std::function<void(std::ostream&)>& write_rows);
 
-/// The rows' bytes in a file of that format. Throws Error naming `path` where it is of another format, cut or too long.
+/// The bytes of the rows in the bytes of an .npy file.
+/// \param path names the file in messages
+/// \param row_bytes the size of one row
+/// Throws Error naming `path` if the file has another format, or is too short or too long.
 std::span<const std::byte> npy_rows(std::span<const std::byte> file, const std::filesystem::path& path,
                                     const NpyFormat& format, std::size_t row_bytes);
 

@@ -16,8 +16,8 @@ ProcessUsage process_usage();
 /// container is allowed less. 0 where the system does not tell.
 std::uint64_t available_memory_bytes();
 
-/// Gives memory that was freed back to the system at once. Worth a call after something large has ended and before
-/// something else large begins, so that the two do not add up; the C library would keep small pieces for itself.
+/// Returns freed memory to the system at once; the C library would keep small pieces for later use. Call it after
+/// something large has ended and before something else large begins, so that the two do not add up.
 void return_freed_memory();
 
 }  // namespace ddtool

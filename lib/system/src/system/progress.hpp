@@ -5,20 +5,22 @@
 
 namespace ddtool {
 
-/// One line on stderr, redrawn: what, share done, rate, time left. Silent when stderr is not a terminal, and with
-/// --quiet.
+/// A line on stderr that is redrawn in place: what is being done, the share done, the rate, the time left. Nothing is
+/// shown if stderr is not a terminal, or with --quiet. For one thread at a time.
 class Progress {
 public:
     using Clock = std::chrono::steady_clock;
 
-    /// unit: what is counted, e.g. "scans".
+    /// \param what the name of the work, at the start of the line
+    /// \param unit what is counted, e.g. "scans"
     Progress(std::string what, std::string unit);
     ~Progress();
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
 
-    /// fraction_done in 0..1, where 0 stands for unknown, too; count: units done so far. Cheap: redraws a few times a
-    /// second at most.
+    /// \param fraction_done the share done, 0..1; 0 also means that the share is unknown
+    /// \param count the units done so far
+    /// Cheap to call often: the line is redrawn at most a few times per second.
     void update(double fraction_done, std::size_t count);
 
 private:
@@ -32,7 +34,7 @@ private:
     Clock::time_point last_ = start_;
 };
 
-/// "1:05" or "2:03:09" for a number of seconds; "?" when it is negative, absurdly long or no number.
+/// A duration as text: "1:05" or "2:03:09"; "?" if it is negative, not finite, or absurdly long.
 std::string format_duration(double seconds);
 
 }  // namespace ddtool

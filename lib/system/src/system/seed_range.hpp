@@ -11,8 +11,8 @@ namespace ddtool {
 /// What is known of "first" and "count".
 const std::vector<Setting>& seed_range_setting_list();
 
-/// The seeds of {"first": F, "count": N}: F, F + 1 and so on. Throws UsageError naming `where` unless there are 1 to a
-/// million.
+/// The seeds of {"first": F, "count": N}: F, F + 1, ..., F + N - 1. Throws UsageError naming `where` unless N is
+/// between one and a million.
 std::vector<std::uint64_t> seeds_from_json(const Json& json, const std::string& where);
 
 }  // namespace ddtool

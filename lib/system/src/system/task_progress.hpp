@@ -8,17 +8,19 @@
 
 namespace ddtool {
 
-/// Progress of many tasks at once, whose shares done come from many threads: a line redrawn, and a log line for each
-/// task that ends, with the time left.
+/// Progress of many tasks that run at the same time: a line that is redrawn, and a log line with the time left for each
+/// task that ends. All functions may be called from many threads.
 class TaskProgress {
 public:
-    /// what, unit: as of Progress; the unit is that of the tasks.
+    /// \param what, unit as for Progress; the unit is that of the tasks
+    /// \param tasks the number of tasks
     TaskProgress(std::string what, std::string unit, std::size_t tasks)
         : shares_(tasks, 0.0), line_(std::move(what), std::move(unit)) {}
 
-    /// share of the task, 0..1.
+    /// \param share the share of the task that is done, 0..1
     void update(std::size_t task, double share);
-    /// The task has ended well; `note` says what came of it.
+    /// The task has ended well.
+    /// \param note the result of the task, for the log line
     void finish(std::size_t task, const std::string& title, const std::string& note);
     /// The task has ended with an error.
     void fail(std::size_t task, const std::string& title, const std::string& reason);

@@ -13,7 +13,7 @@ class RandomStream {
 public:
     using result_type = std::uint64_t;
 
-    /// The stream named by the keys, in order: e.g. {seed, step, particle}.
+    /// The stream that is named by the keys in their order, e.g. {seed, step, particle}.
     RandomStream(std::initializer_list<std::uint64_t> keys);
 
     static constexpr result_type min() { return 0; }
@@ -25,7 +25,8 @@ public:
     double uniform(double low, double high) { return low + (high - low) * uniform(); }
     /// Uniform in 0..count-1; count > 0.
     std::uint64_t index(std::uint64_t count);
-    /// Standard normal (Box-Muller; two uniforms a call, nothing kept, so streams stay comparable).
+    /// A standard normal number (Box-Muller). Each call draws two uniform numbers and keeps none for the next call, so
+    /// that the state of a stream depends only on the number of calls.
     double normal();
 
 private:

@@ -11,10 +11,12 @@
 
 namespace ddtool {
 
-/// A fixed set of workers for loops whose iterations are independent. The calling thread is worker 0.
+/// A fixed set of threads for loops whose iterations do not depend on each other. The calling thread works as worker 0.
+/// One thread at a time may use a pool.
 class ThreadPool {
 public:
-    /// threads = 0 takes every core. Fewer start where the system gives no more.
+    /// \param threads the number of threads, including the calling one; 0 is one per core
+    /// If the system cannot start that many, the pool has fewer; results do not depend on the number.
     explicit ThreadPool(std::size_t threads = 0);
     ~ThreadPool();
     ThreadPool(const ThreadPool&) = delete;
@@ -22,8 +24,9 @@ public:
 
     [[nodiscard]] std::size_t size() const { return workers_.size() + 1; }
 
-    /// Calls body(index, worker) for every index in 0..count-1, worker in 0..size()-1; returns when all are done.
-    /// The first exception of any iteration is rethrown here. Not to be called from inside a body.
+    /// Calls body(index, worker) once for every index in 0..count-1, from several threads at the same time, and returns
+    /// when all calls have ended. `worker` is in 0..size()-1, and two calls that run at the same time have different
+    /// workers. If calls throw, the first exception is rethrown here. Must not be called from inside a body.
     void for_each(std::size_t count, const std::function<void(std::size_t index, std::size_t worker)>& body);
 
 private:

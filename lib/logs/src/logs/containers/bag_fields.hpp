@@ -24,10 +24,10 @@ enum class BagOpcode : std::uint8_t {
 class BagFields {
 public:
     BagFields() = default;
-    /// Each field is its length in four bytes, name, '=', value. Throws Error for anything else.
+    /// Each field is its length in four bytes, then name, '=' and value. Throws Error if the bytes have another form.
     explicit BagFields(std::span<const std::byte> bytes);
 
-    /// These throw Error naming a field that is not there, or not as long as its type.
+    /// These functions throw Error naming the field if it does not exist or does not have the length of its type.
     [[nodiscard]] const std::string& text(const std::string& name) const;
     template <std::unsigned_integral Integer>
     [[nodiscard]] Integer number(const std::string& name) const {
@@ -35,7 +35,7 @@ public:
         std::memcpy(&value, sized(name, sizeof(Integer)).data(), sizeof(Integer));
         return value;
     }
-    /// Seconds and nanoseconds of four bytes each.
+    /// A time of four bytes of seconds and four bytes of nanoseconds, as nanoseconds.
     [[nodiscard]] std::int64_t time_ns(const std::string& name) const;
     [[nodiscard]] BagOpcode opcode() const { return BagOpcode{number<std::uint8_t>("op")}; }
 

@@ -13,13 +13,15 @@
 
 namespace ddtool {
 
-/// The messages of a ROS 1 bag (http://wiki.ros.org/Bags/Format/2.0) in the file's order, one chunk held at a time:
-/// uncompressed, lz4 or bz2, indexed or not, closed or not. The channels' encoding is "ros1", their schemas' "ros1msg".
-/// Damage goes to the handler and reading continues with the next record: a damaged chunk is skipped; connections that
-/// it defined are taken from the index, where there is one.
+/// The messages of a ROS 1 bag (http://wiki.ros.org/Bags/Format/2.0) in the order of the file, with one chunk in memory
+/// at a time. A chunk may be uncompressed, lz4 or bz2; the bag may have an index or not, and need not have been closed.
+/// The encoding of the channels is "ros1", that of their schemas "ros1msg". Damage is reported to the handler, and
+/// reading continues with the next record. A damaged chunk is skipped; the connections that it defined are taken from
+/// the index, if there is one.
 class BagReader : public MessageSource {
 public:
-    /// Throws Error when the file cannot be read or is no bag of version 2.0, saying what it looks like.
+    /// Throws Error if the file cannot be read, or if it is not a bag of version 2.0; the message says what the file
+    /// looks like.
     BagReader(std::filesystem::path path, LogProblemHandler on_problem);
 
     std::optional<McapMessage> next() override;

@@ -14,17 +14,17 @@
 
 namespace ddtool {
 
-/// Walks over the records of a bag itself, without its index. The last chunk of a bag that was never closed declares no
-/// length: its records follow on it.
+/// Goes through the top-level records of a bag, without its index. If a bag was never closed, its last chunk does not
+/// declare a length, and the records of that chunk follow directly.
 class BagSection {
 public:
-    /// Throws Error when the source is not a bag of version 2.0.
+    /// Throws Error if the source is not a bag of version 2.0.
     BagSection(ByteSource source, LogProblemHandler on_problem);
 
-    /// The next records; none at the end.
+    /// The next records; nullopt at the end.
     std::optional<LogRecords> next();
     void report(std::uint64_t offset, const std::string& what, std::uint64_t bytes_lost);
-    /// Where the index begins, which repeats all connections; 0 while unknown.
+    /// The offset in bytes at which the index begins, which repeats all connections; 0 if it is unknown.
     [[nodiscard]] std::uint64_t index_offset() const { return index_offset_; }
     [[nodiscard]] double fraction_read() const { return source_.fraction_read(); }
 
@@ -35,7 +35,7 @@ private:
     };
 
     std::optional<std::uint32_t> read_length();
-    /// Into header_; the length of the data behind it.
+    /// Reads a header into header_ and returns the length of the data after it.
     std::optional<std::uint32_t> read_header();
     std::optional<LogRecords> read_record(std::uint32_t data_length);
     std::optional<LogRecords> interpret(const Record& record);

@@ -15,33 +15,34 @@
 
 namespace ddtool {
 
-/// Bytes read strictly forward, from a file or a pipe, with their running CRC-32.
+/// Bytes that are read strictly forward, from a file or a pipe, with a running CRC-32. For one thread at a time.
 class ByteSource {
 public:
     /// Opens a file. Throws Error naming it and the system's reason.
     explicit ByteSource(const std::filesystem::path& path);
-    /// Any stream; its length is unknown.
+    /// Reads from any stream, whose length is then unknown. `name` stands for it in messages.
     ByteSource(std::unique_ptr<std::istream> stream, std::string name);
-    /// Bytes that come while they are read; their length is unknown.
+    /// Reads bytes that are still being produced; their length is unknown. `name` stands for them in messages.
     ByteSource(std::unique_ptr<LiveBuffer> live, std::string name);
 
-    /// Fills `into`; returns how many bytes came, fewer only at the end. Throws Error when the system cannot read.
+    /// Fills `into` and returns the number of bytes read, which is smaller than the size of `into` only at the end.
+    /// Throws Error if the system cannot read.
     std::size_t read(std::span<std::byte> into);
-    /// Appends the next `size` bytes, or fewer at the end; returns how many. Memory grows with what really comes, not
-    /// with `size`.
+    /// Appends the next `size` bytes, or fewer at the end, and returns their number. Memory grows with the bytes that
+    /// are really there, so that a damaged `size` does no harm.
     std::uint64_t append_to(std::vector<std::byte>& into, std::uint64_t size);
-    /// Reads over `size` bytes; returns how many there were.
+    /// Skips `size` bytes and returns how many there were.
     std::uint64_t skip(std::uint64_t size);
     static constexpr std::uint64_t everything = std::numeric_limits<std::uint64_t>::max();
-    /// The content ends here: of a file that is followed, nothing more is waited for.
+    /// Declares that the content ends here: if the file is being followed, no more bytes are waited for.
     void wait_no_more();
 
     [[nodiscard]] const std::string& name() const { return name_; }
     /// Bytes read so far.
     [[nodiscard]] std::uint64_t offset() const { return offset_; }
-    /// Bytes left; none where the length is unknown.
+    /// The number of bytes left; nullopt if the length is unknown.
     [[nodiscard]] std::optional<std::uint64_t> remaining() const;
-    /// Share read, 0..1; 0 where the length is unknown.
+    /// The share that has been read, 0..1; 0 if the length is unknown.
     [[nodiscard]] double fraction_read() const;
 
     /// CRC-32 (as zlib's) of what was read since the start or the last restart.

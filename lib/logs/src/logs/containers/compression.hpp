@@ -8,21 +8,23 @@
 
 namespace ddtool {
 
-/// How the records of a chunk, or a message, are compressed: lz4 in its frame format, zstd, bzip2, or not at all.
+/// How the records of a chunk, or a message, are compressed: with lz4 in its frame format, zstd, bzip2, or not at all.
 enum class Compression { none, lz4, zstd, bzip2 };
 
-/// The same bytes for the same input and library version.
+/// Compresses the records. The same input gives the same bytes, with the same version of the compression library.
 std::vector<std::byte> compress(Compression compression, std::span<const std::byte> records);
 
 /// What came out of decompress().
 struct Decompressed {
-    std::span<const std::byte> records;  ///< a view of the buffer, or of the input where nothing was compressed
+    std::span<const std::byte> records;  ///< in the buffer, or in the input if it was not compressed
     std::string failure;                 ///< empty when `records` is all that was expected
 };
 
-/// Undoes compress(). `expected_size` bounds the output; the buffer (reused, never shrunk) grows only as data really
-/// comes, so that a few bytes cannot claim gigabytes. On a failure `records` holds what was decoded before it, which
-/// for an input that was cut off is right as far as it goes.
+/// Undoes compress(). On a failure, `records` holds what was decoded before it; for an input that was cut off this is
+/// correct as far as it goes.
+/// \param expected_size the largest size of the output, in bytes
+/// \param buffer holds the output; it is reused, and grows only as data are really decoded, so that a few damaged bytes
+///     cannot claim gigabytes
 Decompressed decompress(Compression compression, std::span<const std::byte> compressed, std::uint64_t expected_size,
                         std::vector<std::byte>& buffer);
 

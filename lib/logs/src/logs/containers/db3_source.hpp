@@ -14,12 +14,12 @@
 
 namespace ddtool {
 
-/// The messages of rosbag2's SQLite storage (.db3) in the order in which they were stored: the tables `topics` (id,
-/// name, type, serialization_format) and `messages` (id, topic_id, timestamp in ns, data). Read only; the journal of a
-/// database that was not closed is read, too.
+/// The messages of rosbag2's SQLite storage (.db3) in the order in which they were stored, from the tables `topics`
+/// (id, name, type, serialization_format) and `messages` (id, topic_id, timestamp in ns, data). The database is opened
+/// read only. If it was not closed, its journal is read as well.
 class Db3Source : public MessageSource {
 public:
-    /// Throws Error naming the file when it cannot be opened, or has not these tables.
+    /// Throws Error naming the file if it cannot be opened or does not have these tables.
     Db3Source(const std::filesystem::path& path, LogProblemHandler on_problem);
 
     std::optional<McapMessage> next() override;
@@ -33,7 +33,7 @@ private:
     using Statement = std::unique_ptr<sqlite3_stmt, Close>;
 
     [[nodiscard]] Statement prepare(const char* query) const;
-    /// Whether there is a row.
+    /// Advances to the next row; returns whether there is one.
     bool step(const Statement& statement);
     void read_topics();
     std::optional<McapMessage> take_row();

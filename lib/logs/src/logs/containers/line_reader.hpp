@@ -10,16 +10,16 @@
 
 namespace ddtool {
 
-/// The lines of a text, in bounded memory: a line beyond max_line_bytes is cut there.
+/// The lines of a text, in bounded memory: a line that is longer than max_line_bytes is cut at that length.
 class LineReader {
 public:
     static constexpr std::size_t max_line_bytes = 1 << 20;
 
     explicit LineReader(std::unique_ptr<TextSource> source);
 
-    /// The next line without its newline, valid until the next call; none at the end.
+    /// The next line without its newline; nullopt at the end. Valid until the next call.
     std::optional<std::string_view> next();
-    /// Of the last line, counted from 1.
+    /// The number of the line that next() returned last, counted from 1.
     [[nodiscard]] std::size_t line_number() const { return line_number_; }
     [[nodiscard]] double fraction_read() const { return source_->fraction_read(); }
 

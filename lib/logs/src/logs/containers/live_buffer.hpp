@@ -8,22 +8,23 @@
 
 namespace ddtool {
 
-/// Bytes that are still being made, read forward as they come. Both wait without hindering Ctrl-C: `stop` is asked
-/// about twenty times a second, and ends the bytes once it says yes.
+/// Bytes that are still being produced, read forward as they arrive. While waiting, it calls `stop` about twenty times
+/// per second, and treats the bytes as ended once `stop` returns true, so that Ctrl-C works at any time.
 class LiveBuffer : public std::streambuf {
 public:
     using Stop = std::function<bool()>;
 
-    /// Standard input: ends where its writer closes it.
+    /// Standard input; it ends when its writer closes it.
     static std::unique_ptr<LiveBuffer> standard_input(Stop stop);
-    /// A file that another program appends to: ends at wait_no_more() only. Throws Error when it cannot be opened.
+    /// A file to which another program appends; it ends only after wait_no_more(). Throws Error if the file cannot be
+    /// opened.
     static std::unique_ptr<LiveBuffer> followed(const std::filesystem::path& path, Stop stop);
 
     ~LiveBuffer() override;
     LiveBuffer(const LiveBuffer&) = delete;
     LiveBuffer& operator=(const LiveBuffer&) = delete;
 
-    /// From now on what is there is all there is.
+    /// Declares that nothing more will be appended: the bytes end where the file ends now.
     void wait_no_more() { grows_ = false; }
 
 protected:

@@ -13,20 +13,22 @@
 
 namespace ddtool {
 
-/// Definitions and messages that lie together in a log: the records of a chunk, or one that lies outside of chunks.
+/// Definitions and messages that are stored together in a log: the records of one chunk, or one record outside of all
+/// chunks.
 struct LogRecords {
     std::span<const std::byte> bytes;  ///< valid until the next are read
     std::uint64_t offset = 0;          ///< in the file, of the chunk or record
     bool cut_off = false;              ///< the last record may be incomplete, which has been reported
 };
 
-/// Takes the records that a section of a file gives it one by one. A record that makes no sense is reported to the
-/// section, and skipped.
+/// Takes the records that a section of a file provides one by one. A malformed record is reported to the section and
+/// skipped.
 template <typename Section>
 class LogRecordWalk {
 public:
-    /// The message of the next record that has one; none at the section's end. `take` reads a record from an
-    /// McapFieldReader, throwing Error where it does not end; `interpret` gives its message, or none.
+    /// The message of the next record that contains one; nullopt at the end of the section.
+    /// \param take reads one record from an McapFieldReader, and throws Error if the record does not end
+    /// \param interpret returns the message of the record, or nullopt
     template <typename Take, typename Interpret>
     std::optional<McapMessage> next(Section& section, const Take& take, const Interpret& interpret) {
         for (;;) {
@@ -43,7 +45,7 @@ public:
         }
     }
 
-    /// In the file, of the chunk or record that is being taken.
+    /// The offset in the file, in bytes, of the chunk or record that is being read.
     [[nodiscard]] std::uint64_t offset() const { return records_.offset; }
 
 private:

@@ -10,19 +10,20 @@
 
 namespace ddtool {
 
-/// What could be read of a chunk.
+/// The part of a chunk that could be read.
 struct McapChunk {
     std::span<const std::byte> records;  ///< valid until the next chunk is read
     bool cut_off = false;                ///< the file ends within the chunk; `records` may end within a record
-    std::string problem;                 ///< what is wrong with it; empty when nothing is
+    std::string problem;                 ///< what is wrong with the chunk; empty if it is intact
     std::uint64_t bytes_lost = 0;
 };
 
 /// Reads, decompresses and checks chunks, one held at a time.
 class McapChunkReader {
 public:
-    /// From the start of a Chunk record's content to its end. A chunk that fails its CRC or does not decompress gives
-    /// no records.
+    /// Reads the content of a Chunk record from its start to its end. A chunk that fails its CRC or cannot be
+    /// decompressed gives no records.
+    /// \param length the length of the content in bytes
     McapChunk read(ByteSource& source, std::uint64_t length);
 
 private:

@@ -29,11 +29,11 @@ private:
     std::uint64_t last_ = 0;
 };
 
-/// Gathers messages until they are written as a chunk with its message indexes.
+/// Collects messages until they are written as one chunk with its message indexes.
 class McapChunkBuilder {
 public:
     void add(std::uint16_t channel, std::uint32_t sequence, std::uint64_t log_time_ns, std::span<const std::byte> data);
-    /// Of the records, before compression.
+    /// The size of the records in bytes, before compression.
     [[nodiscard]] std::size_t size() const { return records_.size(); }
     /// Writes the chunk, appends its Chunk Index record to `chunk_indexes`, and is empty again.
     void write(McapOutput& output, Compression compression, McapFieldWriter& chunk_indexes);

@@ -7,9 +7,10 @@
 
 namespace ddtool {
 
-/// The name in a chunk's compression field ("" for none). Throws Error for one that MCAP does not have.
+/// The name in a chunk's compression field ("" for no compression). Throws Error for a compression that MCAP does not
+/// have.
 std::string_view mcap_compression_name(Compression compression);
-/// None for a name that the specification does not know.
+/// The compression of that name; nullopt for a name that the specification does not know.
 std::optional<Compression> mcap_compression_of(std::string_view name);
 
 }  // namespace ddtool

@@ -15,14 +15,14 @@
 
 namespace ddtool {
 
-/// Walks over the records of the file itself, from the magic at its start to the one at its end, and checks all that
-/// is checked by length or CRC. Reports every problem, with the place.
+/// Goes through the top-level records of a file, from the magic at its start to the one at its end, and checks lengths
+/// and CRCs. Every problem is reported with its place.
 class McapDataSection {
 public:
-    /// Throws Error when the source is not an MCAP file.
+    /// Throws Error if the source is not an MCAP file.
     McapDataSection(ByteSource source, LogProblemHandler on_problem);
 
-    /// The next records; none at the end.
+    /// The next records; nullopt at the end.
     std::optional<LogRecords> next();
     /// Reports a problem of the records at `offset`.
     void report(std::uint64_t offset, const std::string& what, std::uint64_t bytes_lost);

@@ -22,8 +22,8 @@ inline std::string text_of(std::span<const std::byte> bytes) {
     return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
-/// Takes the fields of a record from the front of its bytes (https://mcap.dev/spec, "Serialization").
-/// Every take throws Error when the bytes end before the field does.
+/// Reads the fields of a record from the front of its bytes (https://mcap.dev/spec, "Serialization"). Every take
+/// function throws Error if the bytes end before the field does.
 class McapFieldReader {
 public:
     explicit McapFieldReader(std::span<const std::byte> bytes) : rest_(bytes) {}

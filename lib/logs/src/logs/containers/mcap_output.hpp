@@ -10,8 +10,8 @@
 
 namespace ddtool {
 
-/// A file being written, that knows its length and the CRC-32 of the section being written. It appears under its name
-/// at commit(). Every call throws OutputError, naming the file, when it cannot be written.
+/// A file that is being written, with its length and the CRC-32 of the section being written. It appears under its name
+/// at commit(). Every call throws OutputError naming the file if it cannot be written.
 class McapOutput {
 public:
     explicit McapOutput(const std::filesystem::path& path) : file_(path) {}
@@ -22,7 +22,7 @@ public:
 
     /// Bytes written so far.
     [[nodiscard]] std::uint64_t offset() const { return offset_; }
-    /// Of what was written since the start or the last restart.
+    /// The CRC-32 of what was written since the start or since restart_crc().
     [[nodiscard]] std::uint32_t crc() const { return crc_; }
     void restart_crc() { crc_ = 0; }
 

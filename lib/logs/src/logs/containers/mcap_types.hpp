@@ -28,8 +28,8 @@ struct McapChannel {
     bool operator==(const McapChannel&) const = default;
 };
 
-/// A message as it lies in the file. Times are nanoseconds since the recorder's epoch (the file's uint64, which stays
-/// below 2^63 until the year 2262).
+/// A message as it is stored in the file. Times are in nanoseconds since the epoch of the recorder (uint64 in the file,
+/// which stays below 2^63 until the year 2262).
 struct McapMessage {
     const McapChannel* channel = nullptr;  ///< never null; valid as long as the reader
     std::uint32_t sequence = 0;
@@ -37,7 +37,7 @@ struct McapMessage {
     std::int64_t publish_time_ns = 0;
     std::span<const std::byte> data;   ///< valid until the reader's next()
     std::uint64_t file_offset = 0;     ///< of the message's record, or of the chunk that holds it
-    const char* offset_unit = "byte";  ///< or "row", in a database
+    const char* offset_unit = "byte";  ///< the unit of file_offset: "byte", or "row" in a database
 };
 
 }  // namespace ddtool

@@ -23,18 +23,21 @@ struct McapWriterOptions {
 };
 
 /// Writes an MCAP file (https://mcap.dev/spec): chunks with message indexes, a summary with statistics and chunk
-/// indexes, every CRC. The file appears under its name at close(); without it, nothing is left behind.
-/// The same calls give the same bytes. Every call throws Error, naming the file, when it cannot be written.
+/// indexes, and every CRC. The file appears under its name at close(); without close() no file is left behind. The same
+/// calls give the same bytes. Every call throws OutputError naming the file if it cannot be written. For one thread at
+/// a time.
 class McapWriter {
 public:
     explicit McapWriter(const std::filesystem::path& path, McapWriterOptions options = {});
 
-    /// Returns the channel's id. Channels with the same schema share one record of it; an empty schema_name means none.
+    /// Adds a channel and returns its id. Channels with the same schema share one Schema record. An empty schema_name
+    /// means that the channel has no schema.
     std::uint16_t add_channel(std::string_view topic, std::string_view message_encoding, std::string_view schema_name,
                               std::string_view schema_encoding, std::string_view schema_data,
                               const std::map<std::string, std::string>& metadata = {});
-    /// `channel` is of add_channel(). The publish time is the log time; the sequence number counts the channel's
-    /// messages from 0.
+    /// Writes a message. Its publish time is the log time, and its sequence number counts the messages of the channel
+    /// from 0.
+    /// \param channel an id that add_channel() returned
     void write(std::uint16_t channel, std::int64_t log_time_ns, std::span<const std::byte> data);
     void close();
 

@@ -6,7 +6,8 @@
 
 namespace ddtool {
 
-/// The messages of a container, in its order. MCAP's terms serve for every container.
+/// The messages of a log in the order of the file. They are described in the terms of MCAP, whatever the format of the
+/// file is. For one thread at a time.
 class MessageSource {
 public:
     MessageSource() = default;
@@ -14,9 +15,9 @@ public:
     MessageSource(const MessageSource&) = delete;
     MessageSource& operator=(const MessageSource&) = delete;
 
-    /// The next message, valid until the next call; none at the end.
+    /// The next message; nullopt at the end. Valid until the next call.
     virtual std::optional<McapMessage> next() = 0;
-    /// Share read, 0..1; 0 where the length is unknown.
+    /// The share that has been read, 0..1; 0 if the length is unknown.
     [[nodiscard]] virtual double fraction_read() const = 0;
 };
 

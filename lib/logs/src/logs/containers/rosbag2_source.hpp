@@ -11,21 +11,22 @@
 
 namespace ddtool {
 
-/// The messages of a rosbag2 folder: its files one after the other. One that is missing or cannot be opened is reported
-/// and passed over.
+/// The messages of a rosbag2 folder, one file after the other. A file that is missing or cannot be opened is reported
+/// and skipped.
 class Rosbag2Source : public MessageSource {
 public:
     using OpenFile = std::function<std::unique_ptr<MessageSource>(const std::filesystem::path&)>;
 
-    /// `open` opens one storage file. Throws Error as rosbag2_files() does, and when not one of the files can be
-    /// opened.
+    /// \param open opens one storage file
+    /// Throws Error as rosbag2_files() does, and if none of the files can be opened.
     Rosbag2Source(const std::filesystem::path& folder, OpenFile open, LogProblemHandler on_problem);
 
     std::optional<McapMessage> next() override;
     [[nodiscard]] double fraction_read() const override;
 
 private:
-    /// The next file that can be opened becomes the current one; none after the last. Returns the first failure.
+    /// Makes the next file that can be opened the current one, or none after the last. Returns the first failure, or an
+    /// empty text.
     std::string advance();
 
     LogProblemHandler on_problem_;

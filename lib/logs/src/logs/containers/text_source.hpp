@@ -9,7 +9,7 @@
 
 namespace ddtool {
 
-/// The content of a text file, decompressed on the way.
+/// The content of a text file, decompressed while it is read.
 class TextSource {
 public:
     TextSource() = default;
@@ -17,14 +17,14 @@ public:
     TextSource(const TextSource&) = delete;
     TextSource& operator=(const TextSource&) = delete;
 
-    /// Fills the buffer as far as the content goes; fewer bytes than asked for only at its end.
+    /// Fills the buffer and returns the number of bytes, which is smaller than the size of the buffer only at the end.
     virtual std::size_t read(std::span<char> buffer) = 0;
     /// Share of the file already read, 0..1.
     [[nodiscard]] virtual double fraction_read() const = 0;
 };
 
-/// Opens a plain, gzip or bzip2 file, told apart by their first bytes. Throws Error when it cannot be opened; damage
-/// found later ends the content and is told to the handler.
+/// Opens a plain, gzip or bzip2 file, recognised by its first bytes. Throws Error if it cannot be opened. Damage that
+/// is found later is reported to the handler, and ends the content.
 std::unique_ptr<TextSource> open_text(const std::filesystem::path& path, LogProblemHandler on_problem);
 
 }  // namespace ddtool

@@ -9,8 +9,8 @@
 
 namespace ddtool {
 
-/// The messages of another source, of which those are unpacked that are a zstd frame each: rosbag2's compression by
-/// message. One that does not decompress is reported and skipped.
+/// The messages of another source, decompressed if a message is a zstd frame (rosbag2's compression by message). A
+/// message that cannot be decompressed is reported and skipped.
 class ZstdMessages : public MessageSource {
 public:
     ZstdMessages(std::unique_ptr<MessageSource> source, std::string file, LogProblemHandler on_problem);

@@ -10,11 +10,12 @@
 
 namespace ddtool::foxglove {
 
-/// Decodes foxglove.LaserScan from protobuf. None when the bytes are no such message. It states no limits of range:
-/// range_min_m and range_max_m are 0.
+/// Decodes foxglove.LaserScan from protobuf. Returns nullopt if the bytes are not such a message. The message type has
+/// no limits of range, so range_min_m and range_max_m are 0.
 std::optional<ScanReading> protobuf_scan(std::span<const std::byte> data);
 
-/// Decodes foxglove.PoseInFrame, FrameTransform or FrameTransforms, by the name of the type.
+/// Decodes foxglove.PoseInFrame, FrameTransform or FrameTransforms from protobuf; `type` names which. Returns nullopt
+/// if the bytes are not such a message.
 std::optional<std::vector<PoseReading>> protobuf_poses(std::string_view type, std::span<const std::byte> data);
 
 }  // namespace ddtool::foxglove

@@ -17,21 +17,23 @@ enum class MessageKind {
     transforms,  ///< tf2_msgs TFMessage, foxglove FrameTransform(s)
 };
 
-/// What a channel carries, by its schema's name and message encoding: ROS types in "cdr" and "ros1", Foxglove's in
-/// "protobuf" and "json".
+/// The kind of messages on a channel, by the name of its schema and its message encoding: ROS types in "cdr" and
+/// "ros1", and Foxglove's types in "protobuf" and "json".
 MessageKind kind_of(const McapChannel& channel);
 
-/// Decodes a message of kind scan. Frame names lose a leading '/', a stamp of zero becomes the log time. None when the
-/// bytes are no such message, or name a place that is no number or beyond farthest_m.
+/// Decodes a message of the kind scan. A leading '/' is removed from frame names, and a stamp of zero is replaced by
+/// the log time. Returns nullopt if the bytes are not such a message, or contain a position that is not finite or
+/// further away than farthest_m.
 std::optional<ScanReading> decode_scan(const McapMessage& message);
 
-/// The same for the other kinds: one reading for odometry and poses, any number for transforms.
+/// Decodes a message of another kind by the same rules: one reading for odometry and poses, any number for transforms.
 std::optional<std::vector<PoseReading>> decode_poses(const McapMessage& message);
 
-/// Whether the channel is the simulator's /fisher_information: what each scan tells of the true pose.
+/// Whether the channel is the simulator's /fisher_information, the Fisher information of each scan about the true pose.
 bool is_information(const McapChannel& channel);
 
-/// That information, over (x, y, theta); the log time is the scan's stamp. None when the bytes are no 3 x 3 matrix.
+/// Decodes that information, over (x, y, theta) in the robot's frame, in 1/m^2, 1/m and 1. The log time of the message
+/// is the stamp of the scan. Returns nullopt if the bytes are not a 3 x 3 matrix.
 std::optional<Eigen::Matrix3d> decode_information(const McapMessage& message);
 
 }  // namespace ddtool

@@ -8,17 +8,18 @@
 
 namespace ddtool {
 
-/// Positions farther away than this are damaged numbers: their sums and squares would soon be none at all.
+/// Positions further away than this are taken for damaged numbers, whose sums and squares would soon no longer be
+/// finite.
 inline constexpr double farthest_m = 1e9;
 
-/// A laser scan as a log has it, whatever its message type.
+/// A laser scan as it is in a log, for all message types.
 struct ScanReading {
     std::string frame_id;
-    Eigen::Isometry3d frame_from_scan = Eigen::Isometry3d::Identity();  ///< the scan's own origin, where it has one
+    Eigen::Isometry3d frame_from_scan = Eigen::Isometry3d::Identity();  ///< the scan's own origin, if it has one
     LaserScan scan;                                                     ///< ranges as logged, not yet normalised
 };
 
-/// A pose or transform as a log has it, whatever its message type.
+/// A pose or transform as it is in a log, for all message types.
 struct PoseReading {
     std::int64_t stamp_ns = 0;
     std::string frame_id;

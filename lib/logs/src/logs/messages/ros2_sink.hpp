@@ -9,8 +9,8 @@
 
 namespace ddtool {
 
-/// Takes ROS 2 messages on topics, to keep them or to pass them on. A topic comes into being with its first message and
-/// keeps that message's type.
+/// Receives ROS 2 messages on topics, to store them or to send them. The first message of a topic creates it and
+/// determines its type. For one thread at a time.
 class Ros2Sink {
 public:
     Ros2Sink() = default;
@@ -18,7 +18,8 @@ public:
     Ros2Sink(const Ros2Sink&) = delete;
     Ros2Sink& operator=(const Ros2Sink&) = delete;
 
-    /// One message of a type of ros_messages.hpp.
+    /// Writes one message of a type of ros_messages.hpp.
+    /// \param stamp_ns the log time of the message
     template <typename Message>
     void write(const std::string& topic, std::int64_t stamp_ns, const Message& message) {
         put(topic, Message::type_name, stamp_ns, ros::encode_cdr(message));

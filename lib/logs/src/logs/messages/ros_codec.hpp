@@ -10,13 +10,13 @@
 
 namespace ddtool::ros {
 
-/// A message with type_name as ROS 2 serialises it: the encapsulation header, then XCDR version 1 (OMG DDS-XTYPES 1.3,
-/// 7.4.1).
+/// Serialises a message that has a type_name as ROS 2 does: the encapsulation header, then XCDR version 1 (OMG
+/// DDS-XTYPES 1.3, 7.4.1).
 template <typename Message>
 std::vector<std::byte> encode_cdr(const Message& message, std::endian endian = std::endian::little);
 
-/// Undoes encode_cdr(), for either byte order. Bytes behind the message are ignored. None for anything else; memory
-/// stays in proportion to the bytes.
+/// Undoes encode_cdr(), for either byte order. Bytes after the message are ignored. Returns nullopt if the bytes are
+/// not such a message. Memory stays in proportion to the number of bytes, whatever lengths they declare.
 template <typename Message>
 std::optional<Message> decode_cdr(std::span<const std::byte> data);
 

@@ -12,12 +12,12 @@ namespace ddtool::ros {
 
 /// A pose in the plane as a message: z, roll and pitch are 0.
 Pose to_pose(const Pose2& pose);
-/// x, y and yaw of a pose; what leaves the plane is dropped.
+/// The x, y and yaw of a pose; z, roll and pitch are dropped.
 Pose2 to_pose2(const Eigen::Isometry3d& pose);
-/// The quaternion is normalised; one of zero length, or with NaN, counts as no rotation.
+/// The quaternion is normalised; one that has zero length or contains NaN is taken as no rotation.
 Eigen::Isometry3d to_isometry(const Pose& pose);
 
-/// No return is +inf and invalid NaN, as REP 117 has it; angle_max is the last beam's.
+/// No return becomes +inf and an invalid beam NaN, as REP 117 defines it; angle_max is the angle of the last beam.
 LaserScan to_message(const ddtool::LaserScan& scan, const std::string& frame_id);
 Odometry odometry_message(std::int64_t stamp_ns, const std::string& frame_id, const std::string& child_frame_id,
                           const Pose2& frame_from_child);

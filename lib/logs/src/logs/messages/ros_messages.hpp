@@ -137,7 +137,7 @@ struct Path {
 struct MultiArrayDimension {
     std::string label;
     std::uint32_t size = 0;
-    std::uint32_t stride = 0;  ///< elements from here to the end of this dimension
+    std::uint32_t stride = 0;  ///< number of elements in this dimension and all inner ones
 
     static void fields(auto& message, auto& archive) { archive(message.label, message.size, message.stride); }
 };
@@ -155,7 +155,7 @@ struct OccupancyGrid {
     static constexpr const char* type_name = "nav_msgs/msg/OccupancyGrid";
     Header header;
     Time map_load_time;
-    float resolution = 0.0F;  ///< metres a cell
+    float resolution = 0.0F;  ///< metres per cell
     std::uint32_t width = 0;
     std::uint32_t height = 0;
     Pose origin;                    ///< of the lower left corner of cell (0, 0)
@@ -175,7 +175,7 @@ struct Pose2D {
     static void fields(auto& message, auto& archive) { archive(message.x, message.y, message.theta); }
 };
 
-/// Ours, as is ParticleSnapshot: docs/formats/snapshots.md.
+/// Message types of ddtool, like ParticleSnapshot below: docs/formats/snapshots.md.
 struct SnapshotParticle {
     Pose2D pose;
     Pose2D matched_motion;
@@ -204,7 +204,7 @@ struct ParticleSnapshot {
     }
 };
 
-/// Ours: docs/formats/results.md.
+/// A message type of ddtool: docs/formats/results.md.
 struct Degeneracy {
     static constexpr const char* type_name = "ddtool_msgs/msg/Degeneracy";
     Time stamp;

@@ -10,10 +10,12 @@
 
 namespace ddtool::ros {
 
-/// Decodes sensor_msgs LaserScan from "cdr" or "ros1". None when the bytes are no such message.
+/// Decodes sensor_msgs LaserScan from the encoding "cdr" or "ros1". Returns nullopt if the bytes are not such a
+/// message.
 std::optional<ScanReading> decode_scan(std::string_view encoding, std::span<const std::byte> data);
 
-/// Decodes nav_msgs Odometry, geometry_msgs PoseStamped or tf2_msgs TFMessage, by the kind of message.
+/// Decodes nav_msgs Odometry, geometry_msgs PoseStamped or tf2_msgs TFMessage; `kind` says which. Returns nullopt if
+/// the bytes are not such a message.
 std::optional<std::vector<PoseReading>> decode_poses(MessageKind kind, std::string_view encoding,
                                                      std::span<const std::byte> data);
 

@@ -13,10 +13,11 @@
 
 namespace ddtool {
 
-/// The frames of a CARMEN log: FLASER or ROBOTLASER1 lines, whichever comes first, with the odometry each carries.
-/// Readings are no return from the least of these on: the maximum range that the log states (ROBOTLASER1, or PARAM
-/// robot_front_laser_max), the no-return code found in its first scans, and 80 m, the limit of the SICK lasers of
-/// these logs (their codes are 81.83 to 81.91). So the first scans are read before the first frame is given out.
+/// The frames of a CARMEN log: its FLASER or ROBOTLASER1 lines, whichever comes first, with the odometry in each line.
+/// A reading means no return if it is at least as large as the smallest of these: the maximum range that the log states
+/// (in ROBOTLASER1, or as PARAM robot_front_laser_max), the code for a missing return that was found in the first
+/// scans, and 80 m, the reach of the SICK lasers of these logs (whose codes are 81.83 to 81.91). To find the code, the
+/// first scans are read before the first frame is returned.
 class CarmenStream : public LogStream {
 public:
     static constexpr std::size_t scans_read_ahead = 1000;

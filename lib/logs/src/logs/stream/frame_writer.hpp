@@ -11,14 +11,15 @@
 
 namespace ddtool {
 
-/// Writes sensor frames as a log of ROS 2 messages: /scan (LaserScan), /odom and, where it is known, /ground_truth
-/// (Odometry), /tf (odom from base_link) and /tf_static (base_link from laser). open_log() reads it back.
+/// Writes sensor frames as a log of ROS 2 messages: /scan (LaserScan), /odom and, if it is known, /ground_truth
+/// (Odometry), /tf (odom from base_link) and /tf_static (base_link from laser). open_log() can read the file. Throws
+/// OutputError naming the file.
 class FrameWriter {
 public:
     explicit FrameWriter(const std::filesystem::path& path) : file_(path) {}
 
     void write(const SensorFrame& frame);
-    /// Completes the file; without it nothing is left behind.
+    /// Completes the file. Without close() no file is left behind.
     void close() { file_.close(); }
 
 private:
@@ -26,7 +27,8 @@ private:
 
     Ros2Writer file_;
     std::optional<Pose2> robot_from_laser_;  ///< as last written
-    /// Never steps back, so that who reads by log time keeps the frames' order; the messages' own stamps may.
+    /// Never steps back, so that programs that read by log time keep the order of the frames. The stamps in the
+    /// messages may step back.
     std::int64_t log_time_ns_ = std::numeric_limits<std::int64_t>::min();
 };
 

@@ -9,15 +9,15 @@
 
 namespace ddtool {
 
-/// A source that cannot be opened a second time: what is read before rewind() is kept and given again. Messages of
-/// types that are not read here are not.
+/// Gives the beginning of a source twice that cannot be opened a second time: the messages read before rewind() are
+/// kept and returned again after it. Messages of types that ddtool does not use are not kept.
 class KeptMessages : public MessageSource {
 public:
     explicit KeptMessages(std::unique_ptr<MessageSource> source) : source_(std::move(source)) {}
 
     std::optional<McapMessage> next() override;
     [[nodiscard]] double fraction_read() const override { return source_->fraction_read(); }
-    /// Once.
+    /// Starts again from the first message. May be called once.
     void rewind() { keeping_ = false; }
 
 private:

@@ -9,9 +9,9 @@
 
 namespace ddtool {
 
-/// Puts a logged scan into a frame as SensorFrame wants it: mounted in the plane, its ranges normalised. The scan of a
-/// lidar that is mounted upside down is mirrored. Returns what is wrong with a scan that cannot be used, e.g. angles
-/// that are not finite.
+/// Puts a logged scan into a frame in the form that SensorFrame requires: in the plane, with normalised ranges. The
+/// scan of a lidar that is mounted upside down is mirrored. Returns nullopt if all is well, and otherwise why the scan
+/// cannot be used, for example because an angle is not finite.
 std::optional<std::string> place_scan(ScanReading reading, const Eigen::Isometry3d& robot_from_laser,
                                       SensorFrame& frame);
 

@@ -8,9 +8,10 @@
 
 namespace ddtool {
 
-/// MCAP that comes in while it is read: from standard input (a pipe), or in a file that a recorder is still writing,
-/// which ends with its footer. Both end when `stop` says yes, too. Read once: what the survey needs (log_survey.hpp) is
-/// waited for before the first frame. Throw Error for what is not MCAP.
+/// MCAP that is read while it is being written: from standard input (a pipe), or from a file that a recorder is still
+/// writing and that ends with the footer. Both also end when `stop` returns true. The data can be read only once, so
+/// the first frame comes only after the part that the survey needs (log_survey.hpp) has arrived. Both functions throw
+/// Error if the data are not MCAP.
 std::unique_ptr<LogStream> open_standard_input(const LogOptions& options, std::function<bool()> stop,
                                                LogProblemHandler on_problem);
 std::unique_ptr<LogStream> follow_log(const std::filesystem::path& path, const LogOptions& options,

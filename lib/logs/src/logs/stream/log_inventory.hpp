@@ -12,17 +12,18 @@
 
 namespace ddtool {
 
-/// One topic of a log, whether it is of use here or not; in a CARMEN log, one kind of line.
+/// One topic of a log, whether ddtool uses it or not. In a CARMEN log it is one kind of line.
 struct TopicInventory {
     std::string topic;
     std::string type;      ///< of its messages, as the log names it; empty in a CARMEN log
     std::string encoding;  ///< of its messages: "cdr", "ros1", ...
     std::size_t messages = 0;
-    std::int64_t first_ns = 0;     ///< least time of recording
-    std::int64_t last_ns = 0;      ///< greatest
-    std::set<std::string> frames;  ///< "laser", "odom -> base", where the type is one that is read
+    std::int64_t first_ns = 0;     ///< earliest time of recording
+    std::int64_t last_ns = 0;      ///< latest time of recording
+    std::set<std::string> frames;  ///< "laser", "odom -> base"; only of types that ddtool reads
 
-    /// Messages a second between the first and the last; NaN where there are not two, or all have one time.
+    /// Messages per second between the first and the last; NaN if there are fewer than two, or if all have the same
+    /// time.
     [[nodiscard]] double rate_hz() const;
 };
 
@@ -31,14 +32,15 @@ struct LogInventory {
     std::vector<TopicInventory> topics;  ///< by name
 
     [[nodiscard]] std::size_t messages() const;
-    /// Least and greatest time of recording, of topics that have one; 0 without any.
+    /// The earliest and the latest time of recording, over all topics that have one; 0 if no topic has one.
     [[nodiscard]] std::int64_t first_ns() const;
     [[nodiscard]] std::int64_t last_ns() const;
     [[nodiscard]] double duration_s() const;
 };
 
-/// Counts the messages of a log of any kind to its end. Memory does not grow with the log. `on_progress` is told the
-/// share read. Throws Error as container_of() and the readers do.
+/// Counts the messages of a log of any format, up to its end. Memory does not grow with the log.
+/// \param on_progress is called with the share read, 0..1
+/// Throws Error as container_of() and the readers do.
 LogInventory take_inventory(const std::filesystem::path& path, LogProblemHandler on_problem,
                             const std::function<void(double)>& on_progress);
 

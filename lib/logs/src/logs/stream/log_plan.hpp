@@ -11,18 +11,20 @@ namespace ddtool {
 /// Which messages of a log are used, and how.
 struct LogPlan {
     std::string scan_topic;
-    std::string odom_topic;  ///< empty: there is none
+    std::string odom_topic;  ///< empty: the log has no odometry
     std::string ground_truth_topic;
-    bool has_information = false;  ///< the simulator's, of every scan
-    /// Where odometry comes from transforms: the frames whose transform it is.
+    bool has_information = false;  ///< the log has the Fisher information of every scan, from the simulator
+    /// If the odometry comes from transforms: the frames between which the transform is taken.
     std::string odom_frame;
     std::string robot_frame;
     Eigen::Isometry3d robot_from_laser = Eigen::Isometry3d::Identity();
     std::vector<std::string> assumptions;
 };
 
-/// Chooses by type, then by name; what the options name wins. `file` is for messages. Throws UsageError for a topic
-/// that is not there, naming those that would do, and Error when there are no scans, naming what there is.
+/// Chooses topics by type, then by name; topics that the options name take precedence.
+/// \param file the name of the log, for messages
+/// Throws UsageError for a topic that is not in the log, naming the suitable ones, and Error if there are no scans,
+/// naming what there is.
 LogPlan plan_log(const LogSurvey& survey, const LogOptions& options, const std::string& file);
 
 }  // namespace ddtool

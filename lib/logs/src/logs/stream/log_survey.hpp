@@ -20,15 +20,15 @@ struct TopicSurvey {
     std::string child_frame_id;  ///< of the first message
 };
 
-/// What the beginning of a log holds.
+/// The topics and transforms in the beginning of a log.
 struct LogSurvey {
     std::vector<TopicSurvey> topics;  ///< by name
-    bool has_information = false;     ///< is_information() is so of a channel
-    TransformTree transforms;         ///< the latest of each frame
+    bool has_information = false;     ///< is_information() is true for a channel
+    TransformTree transforms;         ///< the latest transform of each frame
 };
 
-/// Reads a log's first ten seconds; further, if need be to its end, until there is a scan and every topic that the
-/// options name. Memory does not grow with the log.
+/// Reads the first ten seconds of a log. If there is no scan yet, or if a topic that the options name is missing, it
+/// reads further, to the end if necessary. Memory does not grow with the log.
 LogSurvey survey_log(MessageSource& source, const LogOptions& options);
 
 }  // namespace ddtool

@@ -8,7 +8,7 @@
 
 namespace ddtool {
 
-/// What the frames of a log are like: all that a run over it would get.
+/// A description of the frames of a log: everything that a run over the log would get.
 struct LogUse {
     LogSummary summary;
     std::size_t fewest_beams = std::numeric_limits<std::size_t>::max();
@@ -19,14 +19,15 @@ struct LogUse {
     std::int64_t first_ns = 0;       ///< stamps of the first and the last scan
     std::int64_t last_ns = 0;
     double longest_gap_s = 0.0;         ///< between the stamps of two scans
-    std::size_t stamps_back = 0;        ///< scans whose stamp is before the one before
+    std::size_t stamps_back = 0;        ///< scans whose stamp is earlier than that of the previous scan
     std::size_t beams = 0;              ///< of all scans
     std::size_t returns = 0;            ///< beams with a range
-    double odometry_m = 0.0;            ///< the way that odometry went, scan to scan
-    std::size_t with_ground_truth = 0;  ///< scans
+    double odometry_m = 0.0;            ///< distance driven by odometry, added up from scan to scan
+    std::size_t with_ground_truth = 0;  ///< scans with a true pose
 };
 
-/// Reads the log to its end. `on_progress` is told the share read.
+/// Reads the log to its end.
+/// \param on_progress is called with the share read, 0..1
 LogUse use_of(LogStream& log, const std::function<void(double)>& on_progress);
 
 }  // namespace ddtool

@@ -15,22 +15,27 @@
 
 namespace ddtool {
 
-/// The frames of a log that is made of messages. Its beginning is read twice: to choose the topics, then for frames; of
-/// a log that can be opened but once it is kept in memory meanwhile. A scan waits until an odometry (and ground truth)
-/// message behind it reaches its stamp, then takes the interpolated pose; where there is none (the log's ends, gaps) it
-/// takes the nearest.
+/// The frames of a log that consists of messages. The beginning of the log is read twice, first to choose the topics
+/// and then for the frames; if the log can be opened only once, the beginning is kept in memory meanwhile. A scan waits
+/// until an odometry message (and a ground truth message) after it in the file reaches its stamp, and then gets the
+/// interpolated pose. If no interval contains its stamp (at the ends of the log, and in gaps), it gets the nearest
+/// odometry, and no ground truth.
 class MessageLogStream : public LogStream {
 public:
-    /// Scans that may wait at a time; beyond, the first goes without waiting.
+    /// The number of scans that may wait at a time. If there are more, the first one is returned without waiting
+    /// longer.
     static constexpr std::size_t max_waiting = 256;
-    /// Odometry farther away than this is a problem.
+    /// If the nearest odometry is further away in time than this, it is reported as a problem.
     static constexpr double max_odometry_gap_s = 0.5;
 
     using OpenSource = std::function<std::unique_ptr<MessageSource>(LogProblemHandler)>;
 
     enum class Opening { twice, once };
 
-    /// Surveys the log at once. `file` is for messages. Throws as plan_log() does.
+    /// Surveys the beginning of the log immediately.
+    /// \param open opens the log; it is called twice, or once with Opening::once
+    /// \param format, file name the log in the summary and in messages
+    /// Throws as plan_log() does.
     MessageLogStream(const OpenSource& open, Opening opening, std::string format, std::string file,
                      const LogOptions& options, LogProblemHandler on_problem);
 
@@ -47,7 +52,7 @@ private:
         bool has_information = false;
     };
 
-    /// Sets plan_ and source_, which then begins anew.
+    /// Set plan_ and source_; source_ then begins again with the first message.
     void survey(const OpenSource& open, const LogOptions& options);
     void survey_once(const OpenSource& open, const LogOptions& options);
     void take(const McapMessage& message);

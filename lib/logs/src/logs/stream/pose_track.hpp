@@ -8,18 +8,18 @@
 
 namespace ddtool {
 
-/// The latest poses of a moving frame in the order of the log, where stamps usually rise but may step back. At each
-/// step back time begins anew, so the latest interval that holds a stamp is the one that counts.
+/// The latest poses of a moving frame in the order of the log. Stamps usually rise, but may step back; each step back
+/// begins a new piece of time. If several intervals contain a stamp, the latest in the log is used.
 class PoseTrack {
 public:
     static constexpr std::size_t max_poses = 1 << 16;
 
     void add(const StampedPose& pose);
-    /// Is there a pose of this very stamp since the last one before it?
+    /// Whether there is a pose with exactly this stamp after the last pose with an earlier one.
     [[nodiscard]] bool contains(std::int64_t stamp_ns) const;
-    /// Interpolated within the latest interval that holds the stamp; none outside of all.
+    /// The pose interpolated in the latest interval that contains the stamp; nullopt if no interval contains it.
     [[nodiscard]] std::optional<Pose2> at(std::int64_t stamp_ns) const;
-    /// The pose nearest in time, the latest of equals; none while there are no poses.
+    /// The pose that is nearest in time, and of equally near ones the latest; nullopt if there are no poses.
     [[nodiscard]] std::optional<StampedPose> nearest(std::int64_t stamp_ns) const;
 
 private:

@@ -17,7 +17,7 @@ class Ros2Writer : public Ros2Sink {
 public:
     explicit Ros2Writer(const std::filesystem::path& path) : file_(path, options()) {}
 
-    /// Completes the file; without it nothing is left behind.
+    /// Completes the file. Without close() no file is left behind.
     void close() { file_.close(); }
 
 protected:

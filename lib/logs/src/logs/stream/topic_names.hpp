@@ -4,8 +4,9 @@
 
 namespace ddtool {
 
-/// What a topic's or frame's name says by custom. Names are compared word by word, without case; words are parted by
-/// anything that is no letter or digit: "/robot/ground_truth/odom" has the words robot, ground, truth, odom.
+/// What the name of a topic or a frame says by convention. Names are compared word by word, ignoring case; words are
+/// separated by anything that is not a letter or a digit: "/robot/ground_truth/odom" has the words robot, ground,
+/// truth, odom.
 
 /// Has the words "ground truth", or "groundtruth" or "gt".
 bool names_ground_truth(const std::string& name);

@@ -36,6 +36,10 @@ public:
     /// Tells the detectors that are made from now on where the truth of their scans will be
     /// (SensorStream::tell_truth()); `oracle` needs it.
     void know(std::shared_ptr<const ScanTruth> truth) { truth_ = std::move(truth); }
+    /// A detector of your own under a name of its own, or in the place of the one that has the name.
+    void add(const std::string& name, DegeneracyDetector detector) {
+        makers_[name] = [detector = std::move(detector)](const Ingredients&) { return detector; };
+    }
     /// Makes detectors of files that end so, such as ".pt".
     void add_file_kind(const std::string& ending, FileMaker maker) { file_kinds_[ending] = std::move(maker); }
 

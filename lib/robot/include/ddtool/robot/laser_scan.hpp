@@ -10,9 +10,9 @@ namespace ddtool {
 /// One turn of a 2-D lidar. Beam i points at angle_min_rad + i * angle_increment_rad, counter-clockwise from the
 /// laser's x axis; the increment is negative for a lidar that turns (or is mounted) the other way round.
 struct LaserScan {
-    /// The beam went out and nothing came back: free up to range_max_m.
+    /// The beam hit nothing: the space along it is free up to range_max_m.
     static constexpr float no_return = std::numeric_limits<float>::infinity();
-    /// The beam says nothing (error, or an echo nearer than range_min_m).
+    /// The measurement failed, or the echo was nearer than range_min_m: nothing is known of the space along the beam.
     static constexpr float invalid = std::numeric_limits<float>::quiet_NaN();
 
     std::int64_t stamp_ns = 0;  ///< of the first beam
@@ -29,8 +29,8 @@ struct LaserScan {
     }
 };
 
-/// Brings raw ranges to the form above, as sensor_msgs/msg/LaserScan and REP 117 define them: +inf and values above
-/// range_max_m are no return; NaN, -inf, and values below range_min_m (0 among them) are invalid.
+/// Brings raw ranges to the form above, by the rules of sensor_msgs/msg/LaserScan and REP 117: +inf and values above
+/// range_max_m become no_return; NaN, -inf, and values below range_min_m, including 0, become invalid.
 void normalise_ranges(LaserScan& scan);
 
 }  // namespace ddtool

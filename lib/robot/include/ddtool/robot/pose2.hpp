@@ -2,8 +2,8 @@
 
 namespace ddtool {
 
-/// A pose in the plane, or the transform it stands for: named target_from_source, it maps points of the source frame
-/// into the target frame.
+/// A pose in the plane. It is also a transform: named target_from_source, it maps points of the source frame to the
+/// target frame, and is the pose of the source frame in the target frame.
 struct Pose2 {
     double x_m = 0.0;
     double y_m = 0.0;
@@ -33,7 +33,8 @@ Pose2 between(const Pose2& from, const Pose2& to);
 
 double distance_m(const Pose2& a, const Pose2& b);
 
-/// Straight line in position, shortest way in angle; fraction 0 gives a, 1 gives b.
+/// A pose between a and b: on the straight line in position, and on the shortest way in angle.
+/// \param fraction 0 gives a, 1 gives b
 Pose2 interpolate(const Pose2& a, const Pose2& b, double fraction);
 
 }  // namespace ddtool

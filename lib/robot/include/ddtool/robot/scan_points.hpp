@@ -8,16 +8,17 @@
 
 namespace ddtool {
 
-/// What one scan saw, as end points in the robot's frame; computed once, used by every particle. Neighbouring beams
-/// that end within spacing_m of each other are one point, at their mean. Structure of arrays, in angular order.
+/// The end points of one scan in the robot's frame, computed once and used by every particle. Neighbouring beams that
+/// end within spacing_m of each other are merged to one point at their mean. The points are stored as one array per
+/// coordinate, in angular order.
 struct ScanPoints {
     Point2 origin_m;                        ///< the laser in the robot's frame
     std::vector<float> x_m, y_m;            ///< end point
-    std::vector<float> normal_x, normal_y;  ///< unit normal of the surface seen; (1, 0) where there is none to tell
-    /// Weight of a displacement along the surface relative to one across it: 0 on a perfect line, 1 where the
-    /// neighbours form no line, so that the point counts alike in every direction.
+    std::vector<float> normal_x, normal_y;  ///< unit normal of the surface; (1, 0) where it is unknown
+    /// How much a displacement along the surface counts, relative to one across it: 0 on a perfect line, and 1 where
+    /// the neighbours form no line, so that the point counts equally in every direction.
     std::vector<float> along_weight;
-    std::vector<std::int32_t> order;  ///< rises by one between neighbours, by more across beams without return
+    std::vector<std::int32_t> order;  ///< rises by 1 between neighbours, by more across beams without return
 
     /// Neighbours within this distance define the surface normal of a point. No setting: over 0.25 m the normals are
     /// smeared across the recesses of a textured corridor, which then comes out long; nearer ones are mostly noise.
@@ -31,8 +32,8 @@ struct ScanPoints {
 };
 
 struct ScanPointsSettings {
-    double usable_range_m = 40.0;  ///< longer returns are left out: their end points are beams apart
-    double spacing_m = 0.03;       ///< nearer neighbours are merged
+    double usable_range_m = 40.0;  ///< longer ranges are not used, because their end points lie too far apart
+    double spacing_m = 0.03;       ///< neighbours that are nearer are merged
 };
 
 ScanPoints scan_points(const SensorFrame& frame, const ScanPointsSettings& settings);

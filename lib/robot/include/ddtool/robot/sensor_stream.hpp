@@ -10,15 +10,16 @@ namespace ddtool {
 
 class ScanTruth;
 
-/// A scan with what was known of the robot when it was taken.
+/// A scan, with what is known about the robot at its stamp.
 struct SensorFrame {
     LaserScan scan;
-    Pose2 robot_from_laser;                 ///< the lidar's mounting
+    Pose2 robot_from_laser;                 ///< the pose of the lidar on the robot
     Pose2 odom_from_robot;                  ///< odometry, interpolated to the scan's stamp
-    std::optional<Pose2> world_from_robot;  ///< ground truth at the scan's stamp, where the source has it
+    std::optional<Pose2> world_from_robot;  ///< the true pose at the stamp of the scan, if the source has it
 };
 
-/// Frames in the order of the source. Logs and the simulator make it, the filter eats it; neither knows the other.
+/// A sequence of frames in the order of the source. Logs and the simulator produce streams and the filter consumes
+/// them, so that neither depends on the other. For one thread at a time.
 class SensorStream {
 public:
     SensorStream() = default;
@@ -26,9 +27,9 @@ public:
     SensorStream(const SensorStream&) = delete;
     SensorStream& operator=(const SensorStream&) = delete;
 
-    /// The next frame; none at the end.
+    /// The next frame; nullopt at the end.
     virtual std::optional<SensorFrame> next() = 0;
-    /// Share of the source already read, 0..1, for progress; 0 where its length is unknown.
+    /// The share of the source that has been read, 0..1, for progress; 0 if the length of the source is unknown.
     [[nodiscard]] virtual double fraction_read() const = 0;
     /// From now on what the source knows of a scan that no robot knows is written into `truth` before its frame is
     /// given out. A source that knows no more than a robot, as most do, leaves it empty.

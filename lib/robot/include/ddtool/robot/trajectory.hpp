@@ -13,13 +13,16 @@ struct StampedPose {
     Pose2 pose;  ///< world_from_robot
 };
 
-/// Poses in the order they were passed. Stamps usually rise, but old logs jitter backwards (Intel: by up to 0.9 s).
+/// Poses in the order in which the robot passed them. Stamps usually rise, but in some old logs they step back (in the
+/// log Intel by up to 0.9 s).
 using Trajectory = std::vector<StampedPose>;
 
-/// Sum of the distances between neighbours.
+/// The length of the path in metres: the sum of the distances between consecutive positions.
 double path_length_m(const Trajectory& trajectory);
 
-/// Pose at a time, interpolated between the neighbours of a trajectory sorted by time; none outside of it.
+/// The pose at a time, interpolated between the two neighbours in time; nullopt if the time lies outside of the
+/// trajectory.
+/// \param sorted_by_time a trajectory whose stamps rise
 std::optional<Pose2> pose_at(const Trajectory& sorted_by_time, std::int64_t stamp_ns);
 
 }  // namespace ddtool

@@ -6,9 +6,9 @@
 #include <type_traits>
 #include <utility>
 
-/// Whole numbers are read from whole numbers that fit their type; of anything else a type_error is thrown. The library
-/// itself would convert: 1.5 to 1, -1 to the largest count, and 1e30 to whatever the processor makes of it, which C++
-/// leaves undefined.
+/// Reads a whole number only from a whole number that fits its type, and throws type_error for anything else. The
+/// library itself would convert silently: 1.5 to 1, -1 to the largest count, and 1e30 to an arbitrary value, because
+/// the conversion is undefined in C++.
 template <typename Whole>
 struct nlohmann::adl_serializer<Whole, std::enable_if_t<std::is_integral_v<Whole> && !std::is_same_v<Whole, bool>>> {
     template <typename AnyJson>

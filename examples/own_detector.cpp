@@ -1,0 +1,56 @@
+// A detector of one's own under a name of its own: the degree is the share of the particles' spread along the way that
+// matching has left. Then the same log as the filter sees it with a detector that always answers 0.5.
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+#include <string>
+
+#include "ddtool/methods/driven_scans.hpp"
+#include "ddtool/methods/method.hpp"
+
+/// Root of the mean square of the motions' deviations from their mean, along the robot's x axis.
+static double spread_along_m(const ddtool::ParticleSnapshot& swarm, ddtool::Pose2 ddtool::SnapshotParticle::*motion) {
+    double sum = 0.0;
+    double squares = 0.0;
+    for (const ddtool::SnapshotParticle& particle : swarm.particles) {
+        const double x_m = (particle.*motion).x_m;
+        sum += x_m;
+        squares += x_m * x_m;
+    }
+    const auto count = static_cast<double>(swarm.particles.size());
+    return std::sqrt(std::max(0.0, squares / count - sum * sum / (count * count)));
+}
+
+static ddtool::Degeneracy along_the_way(const ddtool::ParticleSnapshot& swarm) {
+    const double predicted_m = spread_along_m(swarm, &ddtool::SnapshotParticle::predicted_motion);
+    const double matched_m = spread_along_m(swarm, &ddtool::SnapshotParticle::matched_motion);
+    return {predicted_m > 0.0 ? std::min(1.0, matched_m / predicted_m) : 0.0};
+}
+
+/// The mean degree over the updates of a log.
+static double mean_degree(const std::string& log, const std::string& detector) {
+    ddtool::DetectorTable detectors;
+    detectors.add("along-the-way", along_the_way);
+    detectors.add("half", [](const ddtool::ParticleSnapshot& /*swarm*/) { return ddtool::Degeneracy{0.5}; });
+    ddtool::FilterSettings settings;
+    settings.method.parts.detector = detector;
+    settings.method.parts.gate = "none";  // asked at every update, not only where matching is in doubt
+    ddtool::ThreadPool threads;
+    const auto filter = ddtool::make_filter(settings, detectors, threads);
+    const auto report = [](const ddtool::LogProblem& problem) { std::cerr << problem.what << '\n'; };
+    ddtool::DrivenScans scans(ddtool::open_log(log, {}, report), settings.rbpf);
+    double sum = 0.0;
+    int updates = 0;
+    while (const auto frame = scans.next()) {
+        if (const auto update = filter->update(*frame); update && update->matched.update > 0) {
+            sum += update->degeneracy.degree;
+            ++updates;
+        }
+    }
+    return updates > 0 ? sum / updates : 0.0;
+}
+
+int main(int, char** argv) {
+    std::cout << "along-the-way " << mean_degree(argv[1], "along-the-way") << ", half " << mean_degree(argv[1], "half")
+              << '\n';
+}
