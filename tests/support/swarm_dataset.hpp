@@ -35,7 +35,7 @@ inline void write_swarm_dataset(const std::filesystem::path& folder, std::size_t
     manifest.program = "test";
     manifest.settings = Json::object();
     manifest.counts = Json::object();
-    manifest.sources = {{"world", "drawn"}};
+    manifest.sources = {{SourceKind::world, "drawn"}};
     manifest.runs.resize(1);
     manifest.shards = {write_shard(folder, "shard-0000", records, [&](std::size_t index) {
         return std::span<const SnapshotParticle>(swarms[index]);

@@ -35,10 +35,10 @@ protected:
 TEST_F(BuildTest, AnotherThresholdNeedsNoRun) {
     settings_["balance"] = {{"degenerate", 1000U}, {"not_degenerate", 1000U}};
     const Dataset first = test::build_in(folder_ / "out", settings_);
-    const Dataset all = relabelled("dispersion_threshold", -1.0);
+    const Dataset all = relabelled("dispersion_threshold", 0.0);
     EXPECT_EQ(degenerate(all, LabelRule::dispersion), all.size());
     EXPECT_EQ(all.size(), first.size());
-    const Dataset none = relabelled("dispersion_threshold", 1e9);
+    const Dataset none = relabelled("dispersion_threshold", 1e6);
     EXPECT_EQ(degenerate(none, LabelRule::dispersion), 0U);
     EXPECT_EQ(degenerate(none, LabelRule::fisher), degenerate(first, LabelRule::fisher));
     EXPECT_EQ(degenerate(relabelled("fisher_ratio", 0.0), LabelRule::fisher), first.size());

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "jobs/store.hpp"
 #include "methods/settings_json.hpp"
 #include "system/fingerprint.hpp"
 
@@ -32,6 +33,8 @@ Json configuration() {
     filter["seed"] = 7U;
     return {{"log", "0123"}, {"range_sd_m", 0.02}, {"filter", filter}, {"format", 2}};
 }
+
+std::string run_id(const Json& configuration) { return jobs::Key(identity_of(configuration)).id(); }
 
 TEST(RunId, IsOfTheTextThatPublishedDataSetsWereMadeOf) {
     EXPECT_EQ(identity_of(configuration()).at("filter").dump(), published);

@@ -16,11 +16,11 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-constexpr std::int64_t size_px = 96;  // small, for speed
+constexpr std::int64_t checked_size_px = 96;  // small, for speed
 
 class EveryNetwork : public testing::TestWithParam<std::string> {
 protected:
-    std::shared_ptr<Network> network_ = make_network(GetParam(), size_px);
+    std::shared_ptr<Network> network_ = make_network(GetParam(), checked_size_px);
 };
 
 TEST(NetworkTable, NamesWhatThereIs) {
@@ -40,9 +40,9 @@ TEST_P(EveryNetwork, MakesTwoLogitsForImagesOfAnySize) {
 
 TEST_P(EveryNetwork, SameRandomStateDrawsTheSameWeights) {
     torch::manual_seed(3);
-    const auto first = make_network(GetParam(), size_px);
+    const auto first = make_network(GetParam(), checked_size_px);
     torch::manual_seed(3);
-    const auto second = make_network(GetParam(), size_px);
+    const auto second = make_network(GetParam(), checked_size_px);
     for (const auto& parameter : first->named_parameters()) {
         EXPECT_TRUE(parameter.value().equal(second->named_parameters()[parameter.key()])) << parameter.key();
     }
@@ -51,7 +51,7 @@ TEST_P(EveryNetwork, SameRandomStateDrawsTheSameWeights) {
 TEST_P(EveryNetwork, BatchOfNIsNBatchesOfOne) {
     const torch::NoGradGuard no_grad;
     network_->eval();
-    const torch::Tensor images = formula_images(5, size_px);
+    const torch::Tensor images = formula_images(5, checked_size_px);
     const torch::Tensor together = network_->forward(images);
     for (std::int64_t image = 0; image < images.size(0); ++image) {
         EXPECT_TRUE(near(network_->forward(images.narrow(0, image, 1))[0], together[image], 1e-4));
@@ -60,7 +60,7 @@ TEST_P(EveryNetwork, BatchOfNIsNBatchesOfOne) {
 
 TEST_P(EveryNetwork, GradientsReachEveryParameter) {
     fill_by_formula(*network_);
-    network_->forward(formula_images(4, size_px)).square().sum().backward();
+    network_->forward(formula_images(4, checked_size_px)).square().sum().backward();
     for (const auto& parameter : network_->named_parameters()) {
         const torch::Tensor gradient = parameter.value().grad();
         ASSERT_TRUE(gradient.defined()) << parameter.key();
@@ -88,7 +88,7 @@ TEST_P(EveryNetwork, LearnsEightSamplesByHeart) {
 
 TEST_P(EveryNetwork, Bf16IsNearAndItsLogitsAreFloat) {
     fill_by_formula(*network_);
-    const torch::Tensor images = formula_images(4, size_px);
+    const torch::Tensor images = formula_images(4, checked_size_px);
     network_->forward(images);  // for the running statistics
     network_->eval();
     const torch::NoGradGuard no_grad;
@@ -104,7 +104,7 @@ TEST_P(EveryNetwork, Bf16Trains) {
     torch::Tensor cost;
     {
         const MixedPrecision autocast("bf16", torch::kCPU);
-        cost = network_->forward(formula_images(4, size_px)).square().sum();
+        cost = network_->forward(formula_images(4, checked_size_px)).square().sum();
     }
     cost.backward();
     for (const auto& parameter : network_->named_parameters()) {
@@ -119,12 +119,12 @@ TEST_P(EveryNetwork, TraceOfTwoAnswersForAnyBatch) {
         parameter.set_requires_grad(false);
     }
     const auto traced = torch::jit::tracer::trace(
-        {formula_images(2, size_px)},
+        {formula_images(2, checked_size_px)},
         [&](const torch::jit::Stack& inputs) -> torch::jit::Stack { return {network_->forward(inputs[0].toTensor())}; },
         [](const torch::Tensor&) { return ""; });
     torch::jit::GraphExecutor executor(traced.first->graph, GetParam());
     for (const std::int64_t n : {1, 2, 7}) {
-        const torch::Tensor images = formula_images(n, size_px);
+        const torch::Tensor images = formula_images(n, checked_size_px);
         torch::jit::Stack stack{images};
         executor.run(stack);
         EXPECT_TRUE(near(stack.back().toTensor(), network_->forward(images), 1e-5)) << n;

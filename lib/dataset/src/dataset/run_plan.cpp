@@ -83,14 +83,15 @@ private:
             const Variant variant = draw_variant(mix, chance(world, seed));
             const Json simulation = simulation_of(item, variant, seed);
             const Json filter = filter_of(item, variant, seed);
-            RunEntry entry = entry_of(item, filter, plain_name(world));
+            const FilterSettings filter_settings = filter_settings_from_json(filter);
+            RunEntry entry = entry_of(item, filter_settings, plain_name(world));
             entry.lidar = simulation.at("lidar").at("preset").get<std::string>();
             entry.odometry = simulation.at("odometry").at("preset").get<std::string>();
             add_run(std::move(entry),
                     WorldRun{.world = world,
                              .simulation = sim::simulation_from_json(simulation),
                              .most_particle_updates = most_particle_updates,
-                             .filter = filter_settings_from_json(filter),
+                             .filter = filter_settings,
                              .drive_key = Fingerprint().add(world).add(simulation.dump()).value()},
                     {{"world", sim::world_fingerprint(sim::load_world(world))},
                      {"simulation", simulation},
@@ -109,8 +110,9 @@ private:
         for (const std::uint64_t seed : seeds_from_json(item.at("seeds"), where + ".seeds")) {
             const Variant variant = draw_variant(mix, chance(name, seed));
             const Json filter = filter_of(item, variant, seed);
-            add_run(entry_of(item, filter, name),
-                    LogRun{path, item.at("range_sd_m").get<double>(), filter_settings_from_json(filter)},
+            const FilterSettings filter_settings = filter_settings_from_json(filter);
+            add_run(entry_of(item, filter_settings, name),
+                    LogRun{path, item.at("range_sd_m").get<double>(), filter_settings},
                     {{"log", content}, {"range_sd_m", item.at("range_sd_m")}, {"filter", filter}});
         }
     }
@@ -135,14 +137,14 @@ private:
         return scene.empty() ? otherwise : scene;
     }
 
-    static RunEntry entry_of(const Json& item, const Json& filter, const std::string& scene) {
+    static RunEntry entry_of(const Json& item, const FilterSettings& filter, const std::string& scene) {
         RunEntry entry;
         entry.scene = scene_of(item, scene);
-        entry.seed = filter.at("seed").get<std::uint64_t>();
-        entry.particles = filter.at("particles").get<std::uint64_t>();
-        entry.method = filter.at("method").get<std::string>();
-        entry.update_distance_m = filter.at("update_distance_m").get<double>();
-        entry.update_turn_rad = filter.at("update_turn_rad").get<double>();
+        entry.seed = filter.rbpf.seed;
+        entry.particles = filter.rbpf.particles;
+        entry.method = filter.method.method;
+        entry.update_distance_m = filter.rbpf.update_distance_m;
+        entry.update_turn_rad = filter.rbpf.update_turn_rad;
         return entry;
     }
 

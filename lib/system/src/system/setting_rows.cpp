@@ -136,6 +136,11 @@ const Json& setting_at(const Json& settings, std::string path) {
 
 std::vector<Setting> without(std::vector<Setting> settings, const std::string& key) {
     std::erase_if(settings, [&](const Setting& setting) { return setting.key == key; });
+    for (Setting& setting : settings) {
+        if (setting.key.empty()) {  // a group whose settings stand beside those around it
+            setting.group = without(std::move(setting.group), key);
+        }
+    }
     return settings;
 }
 

@@ -74,7 +74,7 @@ const std::vector<Setting>& train_setting_list() { return train_rows().settings(
 
 void to_json(Json& json, const TrainSettings& settings) { json = train_rows().json(settings); }
 
-void from_json(const Json& json, TrainSettings& settings) { train_rows().read(json, settings); }
+void from_json(const Json& json, TrainSettings& settings) { settings = train_rows().checked(json, ""); }
 
 dataset::LabelRule label_rule_of(const TrainSettings& settings) {
     return dataset::LabelRule{expect_one_of("label", settings.label, dataset::label_rule_names)};

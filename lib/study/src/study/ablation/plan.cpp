@@ -78,7 +78,7 @@ Json default_plan_json() {
 }
 
 Plan plan_from_json(const Json& json) {
-    expect_allowed(json.at("timed_samples"), timed_samples, "", "timed_samples");
+    expect_allowed(json, plan_setting_list(), "");
     Plan plan;
     plan.seeds = json.at("seeds").get<std::vector<std::uint64_t>>();
     plan.timed_samples = json.at("timed_samples");
