@@ -76,6 +76,18 @@ TEST(PlanRuns, OnlyWhatDecidesTheSamplesDecidesTheId) {
     EXPECT_NE(ids({{"seed", 2}}), plain);
 }
 
+TEST(PlanRuns, IdsAreThoseOfTheVersionsBefore) {
+    const Json settings{{"worlds", Json::array({{{"world", "s1"}, {"seeds", {{"count", 2}}}}})},
+                        {"mix",
+                         {{"particles", {2, 3}},
+                          {"odometry", {"good", "poor"}},
+                          {"update_distances", Json::array({Json::array({0.5, 0.3})})}}},
+                        {"most_particle_updates", 60},
+                        {"simulation", {{"lidar", {{"beams", 60}, {"rate_hz", 2.0}}}}}};
+    EXPECT_EQ(ids_of(planned(settings)), (std::set<std::string>{"06ed51f0289efcf3", "aeaa0d8ece8d61e2"}))
+        << "an id decides which snapshots are kept, so that another id is another data set";
+}
+
 TEST(PlanRuns, EqualRunsAreOne) { EXPECT_EQ(planned({{"worlds", {"s1", "s1"}}}).runs.size(), 1U); }
 
 TEST(PlanRuns, ATexturedWorldIsTheSceneOfThePlainOne) {

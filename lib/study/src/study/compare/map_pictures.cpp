@@ -1,12 +1,51 @@
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <optional>
+#include <utility>
 
+#include "ddtool/filter/scan_insertion.hpp"
 #include "report/map_raster.hpp"
 #include "study/compare/run_pictures.hpp"
-#include "study/compare/trajectory_map.hpp"
 
 namespace ddtool::compare {
 namespace {
+
+constexpr double step_m = 0.2;
+constexpr double step_rad = 0.2;
+
+bool has_moved(const Pose2& from, const Pose2& to) {
+    const Pose2 motion = between(from, to);
+    return std::hypot(motion.x_m, motion.y_m) >= step_m || std::abs(motion.theta_rad) >= step_rad;
+}
+
+/// The map that a trajectory makes of a log: scans entered at its poses, whatever method they came from, so that the
+/// maps of different methods differ by the trajectories alone.
+class TrajectoryMap {
+public:
+    /// world_from_robot, in any order.
+    explicit TrajectoryMap(Trajectory trajectory) : sorted_(std::move(trajectory)) {
+        std::stable_sort(sorted_.begin(), sorted_.end(),
+                         [](const StampedPose& a, const StampedPose& b) { return a.stamp_ns < b.stamp_ns; });
+    }
+
+    /// Enters the frame if the robot has moved since the last one that was; leaves out those before and after the
+    /// trajectory.
+    void add(const SensorFrame& frame) {
+        const std::optional<Pose2> pose = pose_at(sorted_, frame.scan.stamp_ns);
+        if (pose && (!last_ || has_moved(*last_, *pose))) {
+            inserter_.insert(grid_, scan_points(frame, ScanPointsSettings{}), *pose);
+            last_ = pose;
+        }
+    }
+    [[nodiscard]] const OccupancyGrid& grid() const { return grid_; }
+
+private:
+    Trajectory sorted_;
+    OccupancyGrid grid_{OccupancySettings{}};
+    ScanInserter inserter_;
+    std::optional<Pose2> last_;
+};
 
 plot::Range x_of(const MapRaster& map) { return {map.origin_m.x_m, map.origin_m.x_m + map.width_m()}; }
 plot::Range y_of(const MapRaster& map) { return {map.origin_m.y_m, map.origin_m.y_m + map.height_m()}; }
