@@ -10,8 +10,8 @@ namespace ddtool::dataset {
 
 /// Neighbouring snapshots are near-copies, so that a run gives only some of them.
 struct ThinningSettings {
-    std::uint64_t every = 3;          ///< one of so many snapshots in a row, chosen by chance
-    std::uint64_t most_per_run = 80;  ///< if there are more, so many of these, chosen by chance
+    std::uint64_t every = 3;          ///< one of this many consecutive snapshots is kept, chosen by chance
+    std::uint64_t most_per_run = 80;  ///< if there are more, this many of them, chosen by chance
 };
 
 /// How many samples of each class are wanted; the defaults are the paper's.
@@ -28,7 +28,7 @@ struct AssemblySettings {
     std::uint64_t shard_megabytes = 64;  ///< a shard is closed when its particles reach it
 };
 
-/// What is known of each setting of a build, in the order of their JSON.
+/// The description of every setting of a build, in the order of the settings in JSON.
 std::vector<Setting> build_setting_list();
 
 /// Every setting of a build with its default: the keys a configuration may have. docs/dataset.md explains them.

@@ -17,7 +17,7 @@ struct ClassCounts {
     std::uint64_t not_degenerate = 0;
 };
 
-/// Of one label rule.
+/// The counts of one label rule.
 struct RuleCounts {
     ClassCounts wanted;
     ClassCounts candidates;
@@ -44,7 +44,8 @@ void from_json(const Json& json, Counts& counts);
 
 Counts counts_of(std::span<const SampleRecord> candidates, const BalanceSettings& wanted);
 
-/// What the data set lacks, a line each: too few samples of a class, a part of a split without one.
+/// What the data set lacks, one line for each shortage: too few samples of a class, or a part of a split without
+/// samples of a class.
 std::vector<std::string> shortages_in(const Counts& counts);
 
 }  // namespace ddtool::dataset

@@ -9,8 +9,8 @@
 
 namespace ddtool::dataset {
 
-/// A data set on disk (docs/formats/dataset.md), mapped: opening costs no reading and samples are never copied. Safe to
-/// read from many threads.
+/// A data set on disk (docs/formats/dataset.md), mapped into memory: opening does not read the samples, and they are
+/// never copied. Safe to read from many threads.
 class Dataset {
 public:
     /// Sizes are always checked. Throws Error naming the file that is missing or damaged.

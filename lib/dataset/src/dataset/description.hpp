@@ -11,13 +11,13 @@ Table class_table(const Counts& counts);
 /// Samples and shares of degenerate ones by family of scenes, particle count, lidar, odometry and update distance.
 Table group_table(const Dataset& data);
 
-/// What tells the physics how well: over simulated worlds and over logs, for R over each weight and for the spreads of
-/// both swarms, the area under the ROC curve for the label `fisher` and the rank correlation with weak_sd_m, what
-/// the scan leaves open. `accuracy` is the share of samples whose two labels are the same. Logs have no label `fisher`,
-/// hence only the correlation.
+/// How well the measures agree with the physics: over simulated worlds and over logs, for R over each weight and for
+/// the spreads of both swarms, the area under the ROC curve for the label `fisher` and the rank correlation with
+/// weak_sd_m, what the scan leaves open. `accuracy` is the share of samples whose two labels are the same. Logs have no
+/// label `fisher`, hence only the correlation.
 Table agreement_table(const Dataset& data);
 
-/// The tables for machines.
+/// The tables as JSON, for other programs.
 Json description_json(const Dataset& data);
 
 /// Standard deviation that the scan leaves along the weakest direction over that of the odometry. Infinite where

@@ -13,8 +13,8 @@ namespace ddtool::dataset {
 /// The part of a drive that a run filters: all of it, or, where that would cost too much, a piece.
 struct DriveWindow {
     std::size_t first_frame = 0;
-    std::uint64_t most_updates = 0;      ///< the run ends with so many
-    std::uint64_t expected_updates = 0;  ///< about so many there will be
+    std::uint64_t most_updates = 0;      ///< the run ends after this many updates
+    std::uint64_t expected_updates = 0;  ///< about this many updates will occur
 
     [[nodiscard]] double share_done(std::uint64_t updates) const {
         const auto expected = static_cast<double>(std::max<std::uint64_t>(1, expected_updates));

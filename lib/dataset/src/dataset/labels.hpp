@@ -28,7 +28,7 @@ std::array<double, 4> dispersions(std::span<const SnapshotParticle> particles);
 /// R over the weight that the label takes it of. Throws UsageError for an unknown weight.
 double labelled_dispersion(const std::array<double, 4>& dispersions, const LabelSettings& settings);
 Label dispersion_label(const std::array<double, 4>& dispersions, const LabelSettings& settings);
-/// Unknown for sd that are NaN.
+/// The label is unknown if a standard deviation is NaN.
 Label fisher_label(double weak_sd_m, double odometry_sd_m, const LabelSettings& settings);
 
 /// Fills in everything of a record that follows from the snapshot and the scan's information: dispersions, physical

@@ -37,7 +37,7 @@ struct Variant {
     std::optional<std::string> method;
 };
 
-/// One of each list, all equally likely, so that a value given twice comes twice as often.
+/// Draws one value from each list. All entries are equally likely, so that a value given twice is drawn twice as often.
 Variant draw_variant(const Mix& mix, RandomStream random);
 
 }  // namespace ddtool::dataset

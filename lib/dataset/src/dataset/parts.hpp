@@ -33,8 +33,8 @@ public:
     /// New parts go into `folder`; they are looked for there and in `others`. Makes the folder; throws Error.
     PartStore(const std::filesystem::path& folder, const std::vector<std::string>& others);
 
-    /// Nullopt for a run that has not been made, or of which a file is damaged, which a warning tells: every byte is
-    /// read.
+    /// Returns nullopt for a run that has not been made and, after a warning, for one with a damaged file. Reads every
+    /// byte of the files to check them.
     [[nodiscard]] std::optional<StoredPart> find(const PlannedRun& run) const;
     StoredPart save(const PlannedRun& run, const SnapshotRun& made, const std::string& program);
 
@@ -53,7 +53,7 @@ struct WorkShare {
 WorkShare parse_work_share(const std::string& text);
 
 /// Gives every run of the share a result: from the store where it is there, else by making it, as jobs::run() does.
-/// `program` names the build that computes. Runs outside of the share have neither part nor failure.
+/// `program` names the build that computes. The results of runs outside the share have neither a value nor a failure.
 std::vector<RunResult> make_parts(const RunPlan& plan, const WorkShare& share, PartStore& store, ThreadPool& threads,
                                   const std::string& program);
 

@@ -15,8 +15,8 @@ void draw_histograms(const std::filesystem::path& folder, const Dataset& data);
 /// "montage-RULE-SWARM.png".
 std::string montage_name(LabelRule rule, Swarm swarm);
 
-/// Draws montage-RULE-SWARM.png into the folder for both label rules and all swarms: a row a family of scenes, samples
-/// of each class beside each other, as the settings render them (but for the swarm).
+/// Draws montage-RULE-SWARM.png into the folder for both label rules and all swarms: one row for each family of scenes,
+/// samples of each class beside each other, as the settings render them (but for the swarm).
 void draw_montages(const std::filesystem::path& folder, const Dataset& data, const ImageSettings& settings);
 
 }  // namespace ddtool::dataset

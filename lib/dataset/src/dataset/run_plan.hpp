@@ -37,7 +37,7 @@ struct RecordedRun {
 
 /// A run before it is made.
 struct PlannedRun {
-    RunEntry entry;  ///< without counts
+    RunEntry entry;  ///< the counts are not filled in yet
     std::variant<WorldRun, LogRun, RecordedRun> source;
     ThinningSettings thinning;
     jobs::Key key;  ///< of everything that decides the samples, but for the input's name

@@ -15,7 +15,7 @@ namespace ddtool::dataset {
 enum class LabelRule : std::size_t { dispersion, fisher };
 inline constexpr std::array<const char*, 2> label_rule_names{"dispersion", "fisher"};
 
-/// How samples are parted for training and testing.
+/// How samples are divided into parts for training and testing.
 enum class Split : std::size_t { paper, held_out };
 inline constexpr std::array<const char*, 2> split_names{"paper", "held_out"};
 
@@ -40,7 +40,7 @@ inline std::string name_of(LabelRule rule) { return label_rule_names[index_of(ru
 inline std::string name_of(Split split) { return split_names[index_of(split)]; }
 inline std::string name_of(Part part) { return part_names[index_of(part)]; }
 
-/// One row of shard-*.samples.npy, as it lies in the file. NaN where the source does not know.
+/// One row of shard-*.samples.npy, as it lies in the file. Values that the source does not know are NaN.
 struct SampleRecord {
     std::int64_t stamp_ns = 0;
     std::uint64_t update = 0;          ///< filter updates before this one

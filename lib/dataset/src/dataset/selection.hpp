@@ -10,12 +10,12 @@
 
 namespace ddtool::dataset {
 
-/// How many to take of each run when `wanted` are taken as evenly as possible: all of the poor ones, the same of the
-/// others but for one.
+/// How many samples to take from each run if `wanted` samples are taken as evenly as possible: all of a run that has
+/// too few, and numbers that differ by at most one from the other runs.
 std::vector<std::size_t> even_quotas(const std::vector<std::size_t>& available, std::size_t wanted);
 
-/// Chance of its own for every sample: from the seed, the run's key (a fingerprint of its id) and the update, so that
-/// it does not depend on what else is in the data set.
+/// A random number for every sample, which depends on the seed, the run's key (a fingerprint of its id) and the update,
+/// but not on what else is in the data set.
 class SampleChance {
 public:
     SampleChance(std::uint64_t seed, std::vector<std::uint64_t> run_keys)

@@ -28,7 +28,7 @@ struct ShardEntry {
 void to_json(Json& json, const ShardEntry& entry);
 void from_json(const Json& json, ShardEntry& entry);
 
-/// How sure a reader wants to be. Sizes cost nothing; checksums read every byte once.
+/// How thoroughly a reader checks the files. Checking sizes costs nothing; checking checksums reads every byte once.
 enum class Check { sizes, checksums };
 
 /// The swarm of the sample at that position.

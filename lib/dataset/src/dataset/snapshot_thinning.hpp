@@ -23,10 +23,10 @@ public:
     /// The same key makes the same choice.
     SnapshotThinning(const ThinningSettings& settings, std::uint64_t key) : settings_(settings), key_(key) {}
 
-    /// The next snapshot; asks for its sample only if it is kept.
+    /// Offers the next snapshot; calls `make` for its sample only if it is kept.
     void offer(const std::function<Sample()>& make);
     [[nodiscard]] std::uint64_t offered() const { return offered_; }
-    /// What was kept, in the order offered.
+    /// Returns the samples that were kept, in the order in which they were offered.
     [[nodiscard]] std::vector<Sample> take();
 
 private:

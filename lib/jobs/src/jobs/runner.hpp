@@ -11,13 +11,13 @@
 
 namespace ddtool::jobs {
 
-/// The user asked to stop (Ctrl-C, SIGTERM). What was finished is stored.
+/// Thrown when the user asked to stop (Ctrl-C, SIGTERM). Finished results are stored.
 class Stopped : public Error {
 public:
     Stopped() : Error("stopped; the same command goes on where it was") {}
 };
 
-/// Takes the share done, 0..1. Throws Stopped when the user asked to stop: let it through.
+/// Receives the share of the job that is done, in 0..1. Throws Stopped when the user asked to stop; do not catch it.
 using OnProgress = std::function<void(double share)>;
 
 /// A result that is wanted.
@@ -27,7 +27,7 @@ struct Job {
     std::string title;  ///< for messages
     std::function<std::optional<Value>()> find;                ///< the stored result; nullopt: it has to be made
     std::function<Value(const OnProgress& on_progress)> make;  ///< makes and stores it; throws what keeps it from that
-    std::function<std::string(const Value&)> note;             ///< in a few words what came of it
+    std::function<std::string(const Value&)> note;             ///< describes the result in a few words
 };
 
 template <typename Value>
@@ -39,7 +39,7 @@ struct Result {
 template <typename Value>
 struct Outcome {
     std::vector<Result<Value>> results;  ///< one for each job
-    std::size_t made = 0;                ///< jobs that were run, failed ones too
+    std::size_t made = 0;                ///< jobs that were run, including those that failed
 };
 
 /// What messages and the progress line call the work, such as "comparing" and "runs".

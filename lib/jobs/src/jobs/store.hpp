@@ -10,7 +10,8 @@
 
 namespace ddtool::jobs {
 
-/// All that decides a result, and the id that follows from it: equal configurations have equal ids, on every machine.
+/// Everything that decides a result, and the id computed from it: equal configurations have equal ids, on every
+/// machine.
 class Key {
 public:
     explicit Key(Json configuration);
@@ -37,7 +38,7 @@ struct StoreFormat {
 /// results only. Safe to use from many threads, each with keys of its own.
 class Store {
 public:
-    /// The folder need not be there to look into it.
+    /// The folder need not exist as long as results are only looked up.
     Store(std::filesystem::path folder, StoreFormat format) : folder_(std::move(folder)), format_(std::move(format)) {}
 
     /// What `read` makes of the stored value. Nullopt where there is no entry, and, after a warning that names the
@@ -56,7 +57,7 @@ public:
             return std::nullopt;
         }
     }
-    /// Replaces an entry of before. Throws OutputError.
+    /// Writes the entry and replaces an older one. Throws OutputError if it cannot be written.
     void save(const Key& key, const Json& value) const;
 
     [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }

@@ -18,18 +18,19 @@ struct LiveMessage {
     std::string topic;
     std::string type_name;
     std::int64_t stamp_ns = 0;
-    std::vector<std::byte> data;  ///< CDR
+    std::vector<std::byte> data;  ///< the ROS 2 message, serialised as CDR
 };
 
-/// Who gets what: the Foxglove protocol without the network. Of each topic the latest message is kept. A subscriber
-/// gets it at once, and all that follow as long as he reads; who is slow misses messages, but gets the latest of each
-/// topic as soon as he has read what waits. So a client never holds more memory than backlog_bytes and one message.
-/// For one thread.
+/// Decides which client gets which message: the Foxglove protocol without the network. The latest message of each topic
+/// is kept. A subscriber gets it at once, and then every later message as long as they read fast enough. A slow
+/// subscriber misses messages, but gets the latest of each topic as soon as they have read what is waiting for them. So
+/// a client never occupies more memory than backlog_bytes and one message. Not thread-safe: use it from one thread
+/// only.
 class Broadcast {
 public:
     static constexpr std::size_t backlog_bytes = std::size_t{1} << 20;
 
-    /// The links must outlive it.
+    /// `links` must outlive this object.
     Broadcast(ClientLinks& links, std::string session);
 
     void publish(std::shared_ptr<const LiveMessage> message);
@@ -38,15 +39,15 @@ public:
     void closed(ClientId client);
     void received(ClientId client, const std::string& payload, bool is_text);
 
-    /// Sends those who were slow what they miss, where they have read on.
+    /// Sends slow clients that have meanwhile read on the latest messages that they missed.
     void catch_up();
 
 private:
     using ChannelId = std::uint32_t;
-    /// What one client wants.
+    /// What one client has subscribed to.
     struct Wishes {
-        std::map<ChannelId, std::uint32_t> subscriptions;  ///< to their ids
-        std::deque<ChannelId> behind;                      ///< channels whose latest he lacks, longest first
+        std::map<ChannelId, std::uint32_t> subscriptions;  ///< the subscription's id by channel
+        std::deque<ChannelId> behind;                      ///< channels whose latest message they lack, oldest first
     };
 
     ChannelId channel_of(const LiveMessage& message);

@@ -6,17 +6,19 @@
 
 namespace ddtool {
 
-/// A connected client. Numbers are not used twice.
+/// Identifies a connected client. A number is never used again for another client.
 using ClientId = std::uint64_t;
 
-/// How those who decide what is sent reach the clients. Who is gone meanwhile is no error: nothing is sent.
+/// The connections to the clients, as seen by the code that decides what is sent. Sending to a client that has
+/// disconnected meanwhile is not an error: nothing is sent.
 class ClientLinks {
 public:
     virtual ~ClientLinks() = default;
 
     virtual void send_text(ClientId client, const std::string& text) = 0;
     virtual void send_binary(ClientId client, const std::string& bytes) = 0;
-    /// Bytes that wait for the client to read, not counting those that the system has taken.
+    /// Returns the number of bytes that still wait to be sent to the client, without those that the operating system
+    /// has already accepted.
     [[nodiscard]] virtual std::size_t unsent_bytes(ClientId client) const = 0;
 };
 

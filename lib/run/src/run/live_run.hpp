@@ -6,15 +6,15 @@
 
 namespace ddtool {
 
-/// Tells of a run while it goes on: everything as it happens, and the map and the path about once a second of wall
-/// time, less often where they take long to make.
+/// Publishes a run while it is under way: everything as it happens, but the map and the path only about once per second
+/// of wall time, or less often where they take long to make.
 class LiveRun {
 public:
     explicit LiveRun(Ros2Sink& sink) : messages_(sink) {}
 
-    /// After the filter has taken the frame, with the update where there was one.
+    /// Call this after the filter has processed the frame. `update` is empty where the frame caused no update.
     void add(const SensorFrame& frame, const std::optional<Update>& update, const Rbpf& filter);
-    /// The map and the path as they are at the end.
+    /// Publishes the map and the path as they are at the end of the run.
     void finish(const MapRaster& map, const Trajectory& path);
 
 private:

@@ -12,14 +12,14 @@
 
 namespace ddtool {
 
-/// Passes messages on to whoever listens: Foxglove, Lichtblick. What is written is handed over to the server's thread,
-/// which waits for nobody, so a writer waits for little more than a copy and never for a client.
+/// Passes messages on to connected viewers such as Foxglove or Lichtblick. What is written is handed over to the
+/// server's thread, which never waits for a client; so writing takes little longer than copying the message.
 class LiveServer : public Ros2Sink {
 public:
-    /// Serves from here on. Throws as WebSocketServer does.
+    /// Starts to serve clients. Throws what the constructor of WebSocketServer throws.
     LiveServer(const std::string& address, std::uint16_t port);
 
-    /// Address and port, as a URL has them.
+    /// Returns the address and port as they stand in a URL.
     [[nodiscard]] std::string place() const { return network_.place(); }
 
 protected:
@@ -29,9 +29,9 @@ protected:
 private:
     static constexpr std::ptrdiff_t most_waiting = 64;
 
-    std::counting_semaphore<most_waiting> room_{most_waiting};  ///< for messages on their way to the thread
-    Broadcast broadcast_;                                       ///< the thread's alone
-    WebSocketServer network_;                                   ///< last, so that the thread ends first
+    std::counting_semaphore<most_waiting> room_{most_waiting};  ///< for messages on their way to the server's thread
+    Broadcast broadcast_;                                       ///< used by the server's thread alone
+    WebSocketServer network_;                                   ///< declared last, so that its thread ends first
 };
 
 }  // namespace ddtool

@@ -9,16 +9,17 @@
 
 namespace ddtool {
 
-/// The messages of a run in an MCAP file (docs/formats/results.md), now and then with the map and the path.
+/// Writes the messages of a run to an MCAP file (docs/formats/results.md). The map and the path are written from time
+/// to time only.
 class ResultLog {
 public:
     explicit ResultLog(const std::filesystem::path& path) : file_(path) {}
 
-    /// After the filter has taken the frame, with the update where there was one.
+    /// Call this after the filter has processed the frame. `update` is empty where the frame caused no update.
     void add(const SensorFrame& frame, const std::optional<Update>& update, const Rbpf& filter);
-    /// The map and the path as they are at the end.
+    /// Writes the map and the path as they are at the end of the run.
     void finish(const MapRaster& map, const Trajectory& path);
-    /// Completes the file; without it nothing is left behind.
+    /// Completes the file. If this is never called, no file is left behind.
     void close() { file_.close(); }
 
 private:

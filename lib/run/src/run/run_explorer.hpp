@@ -10,13 +10,13 @@
 
 namespace ddtool {
 
-/// A run as the explorer of a page shows it (docs/reports.md).
+/// The data of a run that the interactive explorer of a report page shows (docs/reports.md).
 struct RunExplorer {
-    std::vector<std::size_t> updates;  ///< of the course: those that are the explorer's rows
+    std::vector<std::size_t> updates;  ///< positions in course.updates() of the updates that are the explorer's rows
     Json data;
 };
 
-/// No more than some thousand rows, however long the run, which has one scan at least.
+/// Keeps at most a few thousand rows, however long the run is. The run must have at least one scan.
 RunExplorer run_explorer(const FilterRun& run, const MapRaster& map, const RunCourse& course);
 
 }  // namespace ddtool

@@ -17,26 +17,27 @@
 
 namespace ddtool {
 
-/// The files of one run of the filter (docs/formats/results.md). Each appears when it is whole; a file of an earlier
-/// run that this one does not replace is removed at the end. Every call throws Error naming the file.
+/// The files of one run of the filter (docs/formats/results.md). Each file appears only once it is complete. A file of
+/// an earlier run that this run does not replace is removed at the end. Every member that writes throws Error that
+/// names the file.
 class RunFolder {
 public:
-    /// Creates the folder. snapshots.mcap is written on request only.
+    /// Creates the folder. snapshots.mcap is written only if `with_snapshots` is true.
     RunFolder(std::filesystem::path folder, bool with_snapshots);
 
-    /// After the filter has taken the frame, with the update where there was one.
+    /// Call this after the filter has processed the frame. `update` is empty where the frame caused no update.
     void add(const SensorFrame& frame, const std::optional<Update>& update, const Rbpf& filter);
     /// Writes the trajectories, the map and its picture, and completes the MCAP files.
     void finish(const FilterRun& run, const MapRaster& map);
     void write_json(const std::string& name, const Json& content);
-    /// report.html, as html::write_page() does.
+    /// Writes report.html as html::write_page() does and returns whether it could be written.
     bool write_page(const std::function<html::Page()>& make);
-    /// What the filter did so far, as far as pictures need it.
+    /// What the filter has done so far, in as much detail as pictures need.
     [[nodiscard]] const RunCourse& course() const { return course_; }
 
-    /// Names of the files written.
+    /// The names of the files written so far.
     [[nodiscard]] const std::vector<std::string>& files() const { return files_; }
-    /// Wall time spent in here.
+    /// The wall time spent in this class, in seconds.
     [[nodiscard]] double write_s() const { return write_s_; }
 
 private:

@@ -12,17 +12,18 @@
 
 namespace ddtool {
 
-/// What a run tells Foxglove and RViz, as ROS 2 messages (docs/formats/results.md): the scans the filter used, its
-/// particles and its degree, the transforms map -> odom -> base_link -> laser, and the map and the path when asked.
+/// Publishes a run as ROS 2 messages for Foxglove and RViz (docs/formats/results.md): the scans that the filter used,
+/// its particles and its degree of degeneracy, the transforms map -> odom -> base_link -> laser, and, on request, the
+/// map and the path.
 class RunMessages {
 public:
     explicit RunMessages(Ros2Sink& sink) : sink_(sink) {}
 
-    /// What an update of the filter, made from the frame, gave.
+    /// Publishes the result of the filter update that the frame caused.
     void add(const SensorFrame& frame, const Update& update);
-    /// Where the robot is after the filter has taken a frame, whether or not that was an update.
+    /// Publishes where the robot is after the filter has processed a frame, whether or not the frame caused an update.
     void add_pose(std::int64_t stamp_ns, const Rbpf& filter);
-    /// The map and the path as they are now.
+    /// Publishes the map and the path as they are now.
     void add_map(std::int64_t stamp_ns, const MapRaster& map, const Trajectory& path);
 
 private:

@@ -13,7 +13,7 @@
 
 namespace ddtool {
 
-/// What the page of a run is made of. References must live until the page is made.
+/// What the report page of a run is made of. The referenced objects must live until the page has been made.
 struct RunPageContent {
     std::string log_file;
     std::vector<std::string> warnings;
@@ -23,13 +23,13 @@ struct RunPageContent {
     const RunReport& report;
     const CostReport& cost;
     ImageSettings image;   ///< how the worst moments are drawn
-    const Json& settings;  ///< shown as they are
+    const Json& settings;  ///< shown unchanged
     const Json& log;
     const Json& versions;
 };
 
-/// A run of the filter to look at (docs/reports.md): the map with the path coloured by the degree, time lines, the
-/// worst moments as images, errors where the truth is known, settings.
+/// Makes the report page of one run of the filter (docs/reports.md): the map with the path coloured by the degree,
+/// values over time, the worst moments as images, the errors where the true trajectory is known, and the settings.
 html::Page run_page(const RunPageContent& content);
 
 }  // namespace ddtool

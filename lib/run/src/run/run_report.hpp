@@ -11,14 +11,14 @@
 
 namespace ddtool {
 
-/// Wall time of an update in the filter, in milliseconds.
+/// Wall time per update in the filter, in milliseconds.
 struct StepTimes {
     double median_ms = 0.0;
-    double p99_ms = 0.0;  ///< one in a hundred took longer
+    double p99_ms = 0.0;  ///< one update in a hundred took longer
     double most_ms = 0.0;
 };
 
-/// What one run of the filter did: for run.json, the summary and the page.
+/// What one run of the filter did, for run.json, the printed summary and the report page.
 struct RunReport {
     std::size_t scans = 0;
     std::uint64_t updates = 0;
@@ -28,28 +28,29 @@ struct RunReport {
     double map_width_m = 0.0;
     double map_height_m = 0.0;
     double cell_size_m = 0.0;
-    double read_s = 0.0;                    ///< wall time in the log
-    StageTimes stages;                      ///< wall time in the filter
-    double write_s = 0.0;                   ///< wall time in the run's files
-    std::optional<TrajectoryScore> errors;  ///< where the truth is known
-    std::optional<StepTimes> step;          ///< where there was an update
+    double read_s = 0.0;                    ///< wall time spent on reading the log
+    StageTimes stages;                      ///< wall time spent in the filter
+    double write_s = 0.0;                   ///< wall time spent on writing the run's files
+    std::optional<TrajectoryScore> errors;  ///< empty if the true trajectory is unknown
+    std::optional<StepTimes> step;          ///< empty if there was no update
 };
 
 RunReport run_report(const FilterRun& run, const MapRaster& map, const RunCourse& course, double write_s);
 
-/// As run.json has it (docs/formats/results.md).
+/// The report in the form of run.json (docs/formats/results.md).
 Json to_run_json(const RunReport& report);
 
-/// What a run cost.
+/// The time and memory that a run took.
 struct CostReport {
-    std::size_t threads = 0;  ///< as asked for; 0 is every core
+    std::size_t threads = 0;  ///< as configured; 0 stands for all cores
     double wall_s = 0.0;
     double cpu_s = 0.0;
     std::int64_t peak_memory_bytes = 0;
 };
 void to_json(Json& json, const CostReport& cost);
 
-/// Seconds spent in each stage, in the order in which they follow each other: {"read_s", ...}.
+/// The seconds spent in each stage, in the order in which the stages follow each other, with their names: {"read_s",
+/// ...}.
 std::vector<std::pair<std::string, double>> stages_of(const RunReport& report);
 
 }  // namespace ddtool

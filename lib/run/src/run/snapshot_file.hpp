@@ -12,7 +12,7 @@
 
 namespace ddtool {
 
-/// A swarm and what the detector made of it when the filter ran.
+/// A swarm and the detector's result for it, as recorded while the filter ran.
 struct RecordedSnapshot {
     ParticleSnapshot snapshot;
     Degeneracy degeneracy;
@@ -24,22 +24,24 @@ public:
     explicit SnapshotWriter(const std::filesystem::path& path) : file_(path) {}
 
     void write(const ParticleSnapshot& snapshot, const Degeneracy& degeneracy);
-    /// Completes the file; without it nothing is left behind.
+    /// Completes the file. If this is never called, no file is left behind.
     void close() { file_.close(); }
 
 private:
     Ros2Writer file_;
 };
 
-/// Reads them back, one at a time.
+/// Reads the snapshots of such a file, one at a time.
 class SnapshotReader {
 public:
-    /// Damage goes to the handler and reading goes on. Throws Error for what is not an MCAP file.
+    /// Damaged parts are reported to the handler, and reading continues behind them. Throws Error if the file is not an
+    /// MCAP file.
     SnapshotReader(const std::filesystem::path& path, LogProblemHandler on_problem);
 
-    /// The next snapshot, none at the end. Throws Error, naming the file, for a message of another kind.
+    /// Returns the next snapshot, or nullopt at the end of the file. Throws Error that names the file if it holds
+    /// messages of another type.
     std::optional<RecordedSnapshot> next();
-    /// Share of the file read, 0..1.
+    /// Returns the share of the file that has been read, in 0..1.
     [[nodiscard]] double fraction_read() const { return reader_.fraction_read(); }
 
 private:

@@ -11,33 +11,36 @@
 
 namespace ddtool {
 
-/// What clients do. All are called by the server's thread.
+/// Callbacks for what clients do. The server's thread makes all of the calls.
 struct WebSocketEvents {
     std::function<void(ClientId)> opened;
     std::function<void(ClientId)> closed;
     std::function<void(ClientId, const std::string& payload, bool is_text)> received;
-    std::function<void()> tick;  ///< some times a second
+    std::function<void()> tick;  ///< called about 20 times per second
 };
 
-/// A WebSocket server (RFC 6455) with a thread of its own, which never waits for a client. Clients that break the
-/// protocol, vanish, send more than a request needs, or are too many are dropped.
+/// A WebSocket server (RFC 6455) with a thread of its own, which never waits for a client. It drops clients that break
+/// the protocol, stop responding, or send a message larger than any valid request, and clients beyond the first
+/// most_clients.
 class WebSocketServer : public ClientLinks {
 public:
     static constexpr std::size_t most_clients = 128;
 
-    /// Listens at an IP address; port 0 takes one that is free. A client must ask for one of the subprotocols. Throws
-    /// UsageError for what is no address, Error when it is not this machine's or the port is in use.
+    /// Listens at an IP address; port 0 selects a free port. A client must request one of the subprotocols. Throws
+    /// UsageError if `address` is not an IP address, and Error if it does not belong to this machine or if the port is
+    /// in use.
     WebSocketServer(const std::string& address, std::uint16_t port, std::vector<std::string> subprotocols);
-    /// Says goodbye; waits about a second at most.
+    /// Closes the connections. Waits about one second at most.
     ~WebSocketServer() override;
     WebSocketServer(const WebSocketServer&) = delete;
     WebSocketServer& operator=(const WebSocketServer&) = delete;
 
-    /// From here on clients are served. Once.
+    /// Starts to serve clients. Call this only once.
     void start(WebSocketEvents events);
-    /// Where it listens, as a URL has it: 127.0.0.1:8765.
+    /// Returns the address and port where the server listens, as they stand in a URL, such as 127.0.0.1:8765.
     [[nodiscard]] std::string place() const;
-    /// Has the server's thread do it. From any thread; all else from the server's own.
+    /// Has the server's thread execute the task. This may be called from any thread; the members below may be called
+    /// only from the server's own thread.
     void post(std::function<void()> task);
 
     void send_text(ClientId client, const std::string& text) override;

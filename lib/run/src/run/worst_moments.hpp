@@ -7,8 +7,8 @@
 
 namespace ddtool {
 
-/// The swarms of the highest degrees of a run, seconds apart, so that one bad place does not fill the list. Holds no
-/// more than `most` of them at any time.
+/// Collects the swarms with the highest degrees of degeneracy in a run. Any two of them are at least `apart_s` seconds
+/// apart, so that one bad place does not fill the list. At most `most` swarms are held at any time.
 class WorstMoments {
 public:
     struct Moment {
@@ -18,11 +18,11 @@ public:
 
     explicit WorstMoments(std::size_t most = 6, double apart_s = 3.0);
 
-    /// Takes the swarm where its degree is above 0 and above that of every moment near it, and of the least kept one
-    /// when the list is full.
+    /// Keeps the swarm if its degree is above 0 and above that of every kept moment less than `apart_s` away, which it
+    /// then replaces. If the list is full, the degree must also be above the lowest kept one, which is then dropped.
     void offer(const ParticleSnapshot& swarm, const Degeneracy& degeneracy);
 
-    /// The highest degree first.
+    /// Returns the kept moments, the highest degree first.
     [[nodiscard]] std::vector<Moment> ranked() const;
 
 private:

@@ -28,7 +28,7 @@ public:
     BatchLoader(const BatchLoader&) = delete;
     BatchLoader& operator=(const BatchLoader&) = delete;
 
-    /// The next batch; false when the epoch is over. Rethrows what went wrong on the thread.
+    /// Gets the next batch; returns false when the epoch is over. Rethrows an exception that was thrown on the thread.
     bool next(Batch& batch);
 
 private:

@@ -18,7 +18,7 @@ struct TrainRequest {
     std::string device = "cpu";            ///< cpu or cuda
     std::size_t threads = 0;               ///< of the compute; 0: all cores
     bool resume = false;                   ///< go on from out/last.pt; without one, start
-    double checkpoint_interval_s = 300.0;  ///< last.pt is written at least so often, and after every epoch
+    double checkpoint_interval_s = 300.0;  ///< last.pt is written at least this often, and after every epoch
 };
 
 struct TrainResult {
@@ -60,8 +60,8 @@ public:
 using EngineProvider = const Engine& (*)();
 void set_engine_provider(EngineProvider provider);
 
-/// The engine. To be asked for before a command prints or writes anything: the provider may start the command anew.
-/// Throws Error where there is no provider.
+/// Returns the engine. Call this before the command prints or writes anything, because the provider may start the
+/// command anew in another program. Throws Error if there is no provider.
 const Engine& engine();
 
 }  // namespace ddtool::train

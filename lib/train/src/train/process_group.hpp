@@ -17,15 +17,15 @@ struct ProcessGroup {
     std::uint16_t master_port = 0;
 };
 
-/// A variable's value; none where it is not set or empty.
+/// Returns the value of an environment variable, or nullopt if it is not set or empty.
 using Environment = std::function<std::optional<std::string>(const std::string& name)>;
 
-/// This process's own.
+/// The environment of this process.
 std::optional<std::string> process_environment(const std::string& name);
 
 /// The group that a launcher set up: torchrun, else Open MPI, else Slurm's srun (docs/training.md has the variables).
-/// The launcher nearest to the process counts: both others can be started by srun. None without a launcher and for
-/// one process. Throws UsageError naming the variable that is missing or makes no sense.
+/// The launcher nearest to the process counts: both others can be started by srun. Returns nullopt without a launcher
+/// and for a single process. Throws UsageError naming the variable that is missing or makes no sense.
 std::optional<ProcessGroup> process_group(const Environment& environment = process_environment);
 
 /// The first host of a Slurm node list, such as "rack[2-3]node[01,07-09],login" -> "rack2node01".

@@ -25,7 +25,7 @@ struct OptimizerSettings {
     double weight_decay = 1e-4;
     double warm_up_share = 0.05;  ///< of all steps: the rate rises linearly, then falls as half a cosine
     double final_rate_share = 0.01;
-    double largest_gradient_norm = 1.0;  ///< longer gradients are cut to it
+    double largest_gradient_norm = 1.0;  ///< longer gradients are scaled down to this norm
 };
 
 /// Everything that, with the data set, decides the trained weights.
@@ -47,14 +47,14 @@ struct TrainSettings {
 void to_json(Json& json, const TrainSettings& settings);
 void from_json(const Json& json, TrainSettings& settings);
 
-/// What is known of each setting, in the order of their JSON.
+/// The description of every setting, in the order of the settings in JSON.
 const std::vector<Setting>& train_setting_list();
 
 /// From a configuration. Throws UsageError naming the setting, after `path` where that is not empty, for a value that
 /// makes no sense. The model's name is checked by its makers.
 TrainSettings train_settings_from_json(const Json& json, const std::string& path = "");
 
-/// The settings' words. Throw UsageError for another one.
+/// The label rule and the split that the settings name. Both functions throw UsageError for an unknown name.
 dataset::LabelRule label_rule_of(const TrainSettings& settings);
 dataset::Split split_of(const TrainSettings& settings);
 

@@ -31,7 +31,7 @@ struct TrainingState {
 };
 DDTOOL_JSON_STRUCT(TrainingState, settings, dataset, world_size, epoch, step, sums, history)
 
-/// The epoch of the least validation loss so far, none before the first.
+/// Returns the epoch with the lowest validation loss so far, or null before the first epoch has finished.
 const EpochRecord* best_epoch(const TrainingState& state);
 
 /// Whether the validation loss has not become better for patience_epochs, or all epochs are done.

@@ -7,9 +7,9 @@
 
 namespace ddtool::ablation {
 
-/// Median time in milliseconds from a swarm to its degree, one swarm at a time, rendering included, after a few that do
-/// not count. through_file: the image is written as PNG and read back on the way, as in the paper without its "image
-/// matrix". Throws Error where the temporary folder cannot be written.
+/// Measures the median time in milliseconds from a swarm to its degree, including rendering, one swarm at a time, after
+/// a few swarms to warm up. through_file: the image is written as a PNG file and read back, as in the paper without its
+/// "image matrix". Throws Error if the temporary folder cannot be written.
 double inference_time_ms(native::DegreeModel& model, std::span<const judge::Particles> swarms, bool through_file);
 
 }  // namespace ddtool::ablation

@@ -11,14 +11,14 @@
 
 namespace ddtool::ablation {
 
-/// A trained network and what it reaches on the part test of its own label and split.
+/// A trained network and its results on the test part of the label and split that it was trained on.
 struct TrainedModel {
     std::filesystem::path file;
     Confusion confusion;
     double auc = 0.0;
 };
 
-/// How trainings and their models are run.
+/// The device and threads that trainings and their models run on.
 struct Machine {
     std::string device = "cpu";
     std::size_t threads = 0;  ///< 0: all cores
@@ -30,13 +30,13 @@ class ModelStore {
 public:
     ModelStore(const train::Engine& engine, std::filesystem::path data, std::filesystem::path folder, Machine machine);
 
-    /// All that decides the model that these settings give.
+    /// Returns everything that decides the model that these settings give.
     [[nodiscard]] jobs::Key key_of(const train::TrainSettings& settings) const;
-    /// Nullopt for a network that has not been trained and tested, or of which a file is damaged, which a warning
-    /// tells.
+    /// Returns nullopt for a network that has not been trained and tested and, after a warning, for one with a damaged
+    /// file.
     [[nodiscard]] std::optional<TrainedModel> find(const train::TrainSettings& settings) const;
-    /// Trains, exports and tests the network; a training that was stopped goes on. Throws Error, and jobs::Stopped for
-    /// a training that the user asked to stop.
+    /// Trains, exports and tests the network. A training that was stopped earlier is continued. Throws Error, and
+    /// jobs::Stopped for a training that the user asked to stop.
     [[nodiscard]] TrainedModel make(const train::TrainSettings& settings) const;
     [[nodiscard]] const dataset::Dataset& data() const { return data_; }
 

@@ -12,10 +12,10 @@ namespace ddtool::ablation {
 
 inline constexpr double not_printed = std::numeric_limits<double>::quiet_NaN();
 
-/// A row of the table: a training, and what the paper prints for it.
+/// A row of the table: a training, and the figures that the paper prints for it.
 struct Row {
     std::string name;
-    train::TrainSettings settings;  ///< but for the seed
+    train::TrainSettings settings;  ///< without the seed
     double paper_accuracy = not_printed;
     double paper_f1 = not_printed;
 };
@@ -24,7 +24,7 @@ struct Row {
 struct Timing {
     std::size_t row = 0;  ///< position in the plan's rows
     std::string device = "cpu";
-    bool image_file = false;  ///< hand the image over through a PNG file, not in memory
+    bool image_file = false;  ///< pass the image on as a PNG file, not in memory
     double paper_ms = not_printed;
 };
 
@@ -32,16 +32,16 @@ struct Plan {
     std::vector<std::uint64_t> seeds;
     std::vector<Row> rows;
     std::vector<Timing> timings;
-    std::size_t timed_samples = 0;  ///< snapshots a timing takes its median of
+    std::size_t timed_samples = 0;  ///< number of snapshots over which a timing takes its median
 };
 
-/// What is known of each setting of a plan, in the order of their JSON.
+/// The description of every setting of a plan, in the order of the settings in JSON.
 std::vector<Setting> plan_setting_list();
 
 /// The keys of a plan with their defaults: docs/evaluation.md explains them.
 Json default_plan_json();
 
-/// Throws UsageError naming the item and the key for a value that makes no sense.
+/// Throws UsageError that names the item and the key for a value that makes no sense.
 Plan plan_from_json(const Json& json);
 
 }  // namespace ddtool::ablation

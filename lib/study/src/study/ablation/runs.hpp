@@ -9,10 +9,10 @@
 
 namespace ddtool::ablation {
 
-/// What the seeds of a row reached.
+/// The trained models of a row, over its seeds.
 struct RowResult {
     std::vector<TrainedModel> models;  ///< one for each seed that could be trained
-    std::string failure;               ///< why the others could not; empty: all could
+    std::string failure;               ///< why the others could not be trained; empty: all were trained
 };
 
 struct TimingResult {
@@ -20,10 +20,10 @@ struct TimingResult {
     std::string failure;
 };
 
-/// Trains what is missing, row by row, as jobs::run() does.
+/// Trains the models that the store lacks, row by row, as jobs::run() does.
 std::vector<RowResult> run_rows(const Plan& plan, const ModelStore& store);
 
-/// Of the first seed's models; what this machine cannot run says so.
+/// Times the models of the first seed. A timing that this machine cannot run has its `failure` set.
 std::vector<TimingResult> run_timings(const Plan& plan, const std::vector<RowResult>& rows,
                                       const dataset::Dataset& data, const train::Engine& engine);
 

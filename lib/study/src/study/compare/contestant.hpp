@@ -13,7 +13,7 @@
 
 namespace ddtool::compare {
 
-/// Estimates a trajectory: takes every frame of a log and says in the end where the robot was.
+/// Estimates a trajectory: receives every frame of a log in order and returns in the end where the robot was.
 class Estimator {
 public:
     Estimator() = default;
@@ -22,12 +22,13 @@ public:
     Estimator& operator=(const Estimator&) = delete;
 
     virtual void process(const SensorFrame& frame) = 0;
-    /// In a world frame of its own. Throws Error where there is none.
+    /// Returns the trajectory in a world frame of the estimator's own. Throws Error if there is no trajectory.
     virtual Trajectory trajectory() = 0;
 };
 
-/// What is compared, an item of an experiment's `methods`, before world and seed are known: our filter with any of its
-/// methods and settings, odometry, another program's trajectories, or the bound that a known map sets.
+/// One of the things that an experiment compares (an item of its `methods`), before world and seed are chosen: our
+/// filter with any of its methods and settings, the odometry, another program's trajectories, or the bound that a known
+/// map sets.
 class Contestant {
 public:
     /// From an item of `methods` (docs/compare.md). `filter` holds the settings of the experiment for all filters.
@@ -35,15 +36,16 @@ public:
     Contestant(const Json& item, const Json& filter, const std::string& where, DetectorTable detectors);
 
     [[nodiscard]] const std::string& name() const { return name_; }
-    /// Everything that, with the data, decides the trajectory.
+    /// Returns everything that, together with the data, decides the trajectory.
     [[nodiscard]] Json identity(const std::string& world, std::uint64_t seed) const;
-    /// truth: what the stream tells whose frames the estimator will get (SensorStream::tell_truth()).
+    /// Creates an estimator. truth: what the stream tells whose frames the estimator will receive
+    /// (SensorStream::tell_truth()).
     [[nodiscard]] std::unique_ptr<Estimator> start(const std::string& world, std::uint64_t seed,
                                                    std::shared_ptr<const ScanTruth> truth) const;
 
 private:
     struct Filter {
-        FilterSettings settings;  ///< all but the seed
+        FilterSettings settings;  ///< without the seed
         Json json;                ///< the same, as configured
     };
     struct Odometry {};
@@ -51,7 +53,7 @@ private:
         std::string trajectories;  ///< path of TUM files, with {world} and {seed} in it
     };
     struct KnownMap {
-        std::string odometry;  ///< preset of the simulator
+        std::string odometry;  ///< name of an odometry preset of the simulator
     };
     using Kind = std::variant<Filter, Odometry, External, KnownMap>;
 

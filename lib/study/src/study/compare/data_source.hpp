@@ -12,16 +12,16 @@
 
 namespace ddtool::compare {
 
-/// The scans that every contestant gets, and where the truth about them is.
+/// The scans that every contestant receives, and where the truth about them is found.
 struct DataSource {
-    /// The frames from the start, each time anew; safe to call from many threads.
+    /// Opens a new stream of the frames, from the start. Safe to call from many threads.
     std::function<std::unique_ptr<SensorStream>(const LogProblemHandler& on_problem)> open;
-    std::string reference_file;  ///< true trajectory (TUM); empty: what the frames say
-    std::string relations_file;  ///< true relative poses; empty: none
+    std::string reference_file;  ///< true trajectory (TUM); empty: the true poses in the frames are used
+    std::string relations_file;  ///< true relative poses; empty: there are none
     Json identity;               ///< everything that decides the frames and the truth
 };
 
-/// A world of an experiment before its seed is known.
+/// A world of an experiment before its seed is chosen.
 class WorldEntry {
 public:
     /// From an item of `worlds`, a name or an object (docs/compare.md). `simulation` holds the settings of the
@@ -29,7 +29,8 @@ public:
     WorldEntry(const Json& item, const Json& simulation, const std::string& where);
 
     [[nodiscard]] const std::string& name() const { return name_; }
-    /// Throws UsageError for a simulated world that does not exist; a log that cannot be read shows when it is opened.
+    /// Throws UsageError for a simulated world that does not exist. A log that cannot be read fails only when it is
+    /// opened.
     [[nodiscard]] DataSource data(std::uint64_t seed) const;
 
 private:

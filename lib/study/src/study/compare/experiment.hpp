@@ -24,14 +24,14 @@ struct Experiment {
     AteOptions score;
 };
 
-/// What is known of each setting of an experiment, in the order of their JSON.
+/// The description of every setting of an experiment, in the order of the settings in JSON.
 std::vector<Setting> experiment_setting_list();
 
 /// Every setting of an experiment with its default: the keys a configuration may have.
 Json default_experiment_json();
 
-/// detectors: those that contestants may name. Throws UsageError naming the key for what makes no sense: nothing to
-/// compare, a name given twice, an unknown one.
+/// detectors: the detectors that contestants may name. Throws UsageError that names the key if the settings make no
+/// sense: if there is nothing to compare, a name occurs twice, or a name is unknown.
 Experiment experiment_from_json(const Json& settings, const DetectorTable& detectors = {});
 
 /// One contestant on one world with one seed.
@@ -44,7 +44,7 @@ struct Cell {
     std::string data_id;  ///< fingerprint of data->identity: the same for all contestants
 };
 
-/// All cells, seed by seed, so that a run that was cut short has whole seeds.
+/// All cells, ordered by seed first, so that an experiment that was stopped early has complete seeds.
 std::vector<Cell> cells_of(const Experiment& experiment);
 
 /// The text for messages: "s2 / gmapping / seed 3".

@@ -13,20 +13,21 @@
 
 namespace ddtool::compare {
 
-/// How well a run could be known afterwards by somebody who knows the walls: a bound for every SLAM on the same data,
-/// to say how much of an error is the world's and the odometry's. Of simulated worlds only.
+/// Estimates the trajectory as well as it could be known afterwards by somebody who knows the map: a bound for every
+/// SLAM method on the same data, which shows how much of an error is due to the world and the odometry. Works for
+/// simulated worlds only.
 ///
-/// Each scan measures the true pose with exactly the information that there is in it (sim/fisher_information.hpp), as
-/// one normal draw; the odometry, as it was logged, has the noise it was simulated with, and a scale and gyro bias that
-/// are unknown and constant. Both are joined by a Rauch-Tung-Striebel smoother over (x, y, theta, scale, bias),
-/// linearised at its own estimates (Rauch, Tung, Striebel 1965, "Maximum likelihood estimates of linear dynamic
-/// systems").
+/// Each scan counts as one measurement of the true pose, drawn from a normal distribution with exactly the Fisher
+/// information of the scan (sim/fisher_information.hpp). The odometry is used as logged, with the noise that it was
+/// simulated with, and with a scale and a gyro bias that are unknown and constant. Both are joined by a
+/// Rauch-Tung-Striebel smoother over (x, y, theta, scale, bias), linearised at its own estimates (Rauch, Tung, Striebel
+/// 1965, "Maximum likelihood estimates of linear dynamic systems").
 class KnownMapEstimator : public Estimator {
 public:
-    /// truth: has the Fisher information of the frames that will come.
+    /// truth: provides the Fisher information of the frames that will be processed.
     KnownMapEstimator(const sim::OdometrySettings& odometry, std::uint64_t seed,
                       std::shared_ptr<const ScanTruth> truth);
-    /// Throws Error for a frame without true pose or Fisher information.
+    /// Throws Error for a frame without a true pose or without Fisher information.
     void process(const SensorFrame& frame) override;
     Trajectory trajectory() override;
 

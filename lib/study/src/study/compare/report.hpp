@@ -14,11 +14,12 @@ struct Picture {
     std::string file;  ///< relative to the report
 };
 
-/// {"baseline", "seeds", "rows": one a metric, world and contestant; "failures", "programs": builds that computed}.
+/// The results as JSON: {"baseline", "seeds", "rows": one for each metric, world and contestant; "failures",
+/// "programs": the builds of ddtool that computed the results}.
 Json results_json(const Experiment& experiment, const std::vector<Cell>& cells, const std::vector<CellResult>& results);
 
-/// results.md, results.csv, results.json and report.html (docs/reports.md) in the folder. Returns whether the last,
-/// which nothing else depends on, could be written.
+/// Writes results.md, results.csv, results.json and report.html (docs/reports.md) into the folder. Returns whether
+/// report.html, which nothing else depends on, could be written.
 bool write_report(const std::filesystem::path& folder, const Experiment& experiment, const std::vector<Cell>& cells,
                   const std::vector<CellResult>& results, const std::vector<Picture>& pictures);
 

@@ -7,17 +7,17 @@
 
 namespace ddtool::compare {
 
-/// A row a world, a column a contestant: the median of the world's main metric, quartiles, and * where the difference
-/// from the baseline is significant at 0.05 after correction.
+/// One row for each world and one column for each contestant: the median and quartiles of the world's main metric, and
+/// * where the difference from the baseline is significant at 0.05 after correction for the number of tests.
 Table overview_table(const Experiment& experiment, const std::vector<Summary>& summaries);
 
-/// A row a world and contestant: median, spread and test of one metric.
+/// One row for each world and contestant: median, spread and test of one metric.
 Table metric_table(const Experiment& experiment, const std::vector<Summary>& summaries, std::size_t metric);
 
-/// The same for all metrics, one after the other, with the metric as a column.
+/// The rows of metric_table() for all metrics, one metric after the other, with the metric as an additional column.
 Table full_table(const Experiment& experiment, const std::vector<Summary>& summaries);
 
-/// A row a run that failed: world, contestant, seed and why.
+/// One row for each run that failed: world, contestant, seed and the reason.
 Table failure_table(const Experiment& experiment, const std::vector<Cell>& cells,
                     const std::vector<CellResult>& results);
 

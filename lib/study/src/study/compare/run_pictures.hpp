@@ -9,27 +9,29 @@
 
 namespace ddtool::compare {
 
-/// What a figure shows, in metres.
+/// The area that a figure shows, in metres.
 struct Extent {
     plot::Range x;
     plot::Range y;
 };
 
-/// Of all trajectories of the run, with a margin.
+/// The extent of all trajectories of the run, with a margin.
 Extent extent_of(const ShownRun& run);
 
-/// Writes a figure of `panels` axes of the same extent and scale: in columns, or, where what they show is much wider
-/// than high (a corridor), one below the other.
+/// Writes a figure of `panels` axes with the same extent and scale: side by side, or one below the other if the extent
+/// is much wider than high (a corridor). `draw` fills each of them.
 void write_side_by_side(const std::filesystem::path& file, const Extent& extent, std::size_t panels,
                         const std::function<void(plot::Axes& axes, std::size_t panel)>& draw);
 
-/// Every estimate over the truth, side by side.
+/// Draws every estimate over the true trajectory, side by side.
 void draw_trajectories(const std::filesystem::path& file, const ShownRun& run);
 
-/// The maps that the truth and the estimates make of the scans, side by side. Reads the data once more.
+/// Draws the maps that result from the scans with the true trajectory and with each estimate, side by side. Reads the
+/// data once more.
 void draw_maps(const std::filesystem::path& file, const ShownRun& run);
 
-/// |x|, |y| and distance from the truth over time, a line a contestant. There is a truth.
+/// Draws the errors |x|, |y| and the distance from the truth over time, one line for each contestant. The run must have
+/// a true trajectory.
 void draw_errors(const std::filesystem::path& file, const ShownRun& run);
 
 }  // namespace ddtool::compare

@@ -10,12 +10,12 @@
 namespace ddtool::compare {
 
 struct RunOutcome {
-    std::vector<CellResult> results;  ///< one a cell
-    std::size_t computed = 0;         ///< cells that were run, failed ones too
+    std::vector<CellResult> results;  ///< one for each cell
+    std::size_t computed = 0;         ///< cells that were run, including those that failed
 };
 
-/// Gives every cell a result: from the store where it is there, else by running it, as jobs::run() does. `program`
-/// names the build that computes.
+/// Gives every cell a result: the stored one if there is one, or else one from running the cell, as jobs::run() does.
+/// `program` names the build of ddtool that computes.
 RunOutcome run_cells(const Experiment& experiment, const std::vector<Cell>& cells, ResultStore& store,
                      ThreadPool& threads, const std::string& program);
 

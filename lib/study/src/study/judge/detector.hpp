@@ -16,10 +16,11 @@ namespace ddtool::judge {
 /// A swarm, as it lies in a snapshot or in a mapped data set.
 using Particles = std::span<const SnapshotParticle>;
 
-/// Scores of many swarms, one each; the higher, the more degenerate. A network, a rule or a test's lambda.
+/// Gives one score for each swarm; the higher the score, the more degenerate the swarm. It may be a network, a rule or
+/// a lambda in a test.
 using SwarmScorer = std::function<std::vector<double>(std::span<const Particles> swarms)>;
 
-/// Looks at one swarm after the other.
+/// Makes a scorer of swarms from a function that scores a single swarm.
 inline SwarmScorer one_by_one(std::function<double(Particles)> score) {
     return [score = std::move(score)](std::span<const Particles> swarms) {
         std::vector<double> scores;
@@ -31,12 +32,12 @@ inline SwarmScorer one_by_one(std::function<double(Particles)> score) {
     };
 }
 
-/// Says of swarms whether they are degenerate, and where it has that from.
+/// Decides whether swarms are degenerate; with the origin of this decision, such as the training data.
 struct Detector {
     std::string name;
     std::string swarm;                  ///< what it looks at: absolute, step, both, or the particles' weights
-    std::string label;                  ///< that it was trained or fitted on
-    std::string split;                  ///< whose part train it was trained or fitted on
+    std::string label;                  ///< the label that it was trained or fitted on
+    std::string split;                  ///< the split whose train part it was trained or fitted on
     std::optional<std::uint64_t> seed;  ///< of its training
     std::string family;                 ///< the same for networks that differ in nothing but the seed; empty for a rule
     std::string decision;               ///< in words, such as "above 0.5"
@@ -45,15 +46,15 @@ struct Detector {
     bool is_degree = false;  ///< its scores are in 0..1 and meant as probabilities
     ImageSettings image;     ///< what it sees, or what to show of its mistakes
 
-    /// A trained network, not a rule.
+    /// Whether this is a trained network rather than a rule.
     [[nodiscard]] bool is_model() const { return !family.empty(); }
 };
 
-/// What came of a detector's scores on some samples.
+/// How well a detector's scores decide some samples.
 struct Performance {
     std::size_t samples = 0;
     double degenerate_share = 0.0;  ///< of the samples
-    Confusion confusion;            ///< empty for a detector without threshold
+    Confusion confusion;            ///< empty for a detector without a threshold
     double auc = 0.0;
 };
 

@@ -12,7 +12,7 @@
 
 namespace ddtool::judge {
 
-/// What detectors are judged on.
+/// The samples and labels that detectors are judged on.
 struct Task {
     dataset::LabelRule label = dataset::LabelRule::fisher;
     dataset::Split split = dataset::Split::held_out;
@@ -22,29 +22,30 @@ struct Task {
 /// "fisher / held_out / test".
 std::string name_of(const Task& task);
 
-/// How well degrees are probabilities.
+/// How well degrees agree with the observed frequencies, as probabilities should.
 struct Calibration {
     std::vector<ReliabilityBin> bins;
     double error = 0.0;        ///< expected calibration error
-    double temperature = 1.0;  ///< that fits the part validation best; 1 where it has no samples
+    double temperature = 1.0;  ///< the one that fits the validation part best; 1 if that part has no samples
     double error_at_temperature = 0.0;
 };
 
 struct Evaluation {
     Detector detector;
     LabelledSamples samples;
-    std::vector<double> scores;  ///< one a sample
+    std::vector<double> scores;  ///< one for each sample
     Performance performance;
-    std::optional<Calibration> calibration;  ///< of degrees
-    std::vector<PhysicalAgreement> physics;  ///< of the same samples and of those whose label nobody knows
+    std::optional<Calibration> calibration;  ///< only for detectors that give degrees
+    std::vector<PhysicalAgreement> physics;  ///< over the same samples and those with an unknown label
 };
 
 Evaluation evaluate(const dataset::Dataset& data, const Detector& detector, const Task& task);
 
-/// Those whose details people want to see: the models, which come first, or else the last of the rules.
+/// The evaluations whose details are worth showing: those of the models, which must come first in the list, or, if
+/// there are none, that of the last rule.
 std::span<const Evaluation> detailed(std::span<const Evaluation> evaluations);
 
-/// Of some of the samples, by their places among them.
+/// The performance on some of the samples. `places` are positions in evaluation.samples.
 Performance performance_at(const Evaluation& evaluation, std::span<const std::size_t> places);
 
 }  // namespace ddtool::judge

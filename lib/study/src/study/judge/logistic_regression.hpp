@@ -6,11 +6,12 @@
 namespace ddtool::judge {
 
 /// Logistic regression: P(positive) = 1 / (1 + exp(-(b + a z))) of standardised features z, with a ridge |a|^2 / 2
-/// added to the negative log-likelihood, so that classes that a plane parts have finite coefficients, too.
+/// added to the negative log-likelihood, so that the coefficients are finite even if a plane separates the classes
+/// perfectly.
 class LogisticRegression {
 public:
-    /// features: a row a sample, a column a feature. By Newton's method, which here is iteratively reweighted least
-    /// squares (Bishop 2006, 4.3.3). Throws Error where there is no sample of one of the classes.
+    /// features: one row for each sample, one column for each feature. Fits by Newton's method, which here is
+    /// iteratively reweighted least squares (Bishop 2006, 4.3.3). Throws Error if one of the classes has no sample.
     LogisticRegression(const Eigen::MatrixXd& features, const std::vector<bool>& positive);
 
     [[nodiscard]] double probability(const Eigen::VectorXd& features) const;

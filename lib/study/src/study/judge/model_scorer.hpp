@@ -7,13 +7,14 @@
 
 namespace ddtool::judge {
 
-/// A trained network with the renderer of the images it knows: from swarms to degrees, many images at once. For the
-/// filter: native::network_detector(). One thread at a time; copies share the network. Throws UsageError where the
-/// network's image settings make no sense.
+/// Combines a trained network with a renderer of the images that it was trained on: it maps swarms to degrees, many
+/// images at once. The filter uses native::network_detector() instead. Not thread-safe: call it from one thread at a
+/// time, also counting its copies, which share the network. Throws UsageError if the network's image settings make no
+/// sense.
 SwarmScorer scorer_of(std::shared_ptr<native::DegreeModel> model);
 
-/// The same with where the network comes from. Networks whose descriptions differ in seed, metrics and temperature
-/// alone are one family.
+/// The same scorer together with the origin of the network. Networks whose descriptions differ only in seed, metrics
+/// and temperature form one family.
 Detector detector_of(const std::shared_ptr<native::DegreeModel>& model);
 
 }  // namespace ddtool::judge

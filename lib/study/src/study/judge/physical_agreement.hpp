@@ -8,7 +8,7 @@
 
 namespace ddtool::judge {
 
-/// How scores follow what the scan physically tells, over the samples of one kind of source.
+/// How well scores agree with the physical information of the scan, over the samples of one kind of source.
 struct PhysicalAgreement {
     std::string source;  ///< world or log
     std::size_t samples = 0;
@@ -19,7 +19,8 @@ struct PhysicalAgreement {
     double information_rho = 0.0;
 };
 
-/// An entry for each kind of source with samples whose weak_sd_m is known. Both lists have the same length.
+/// Returns one entry for each kind of source that has samples with a known weak_sd_m. `scores` has one score for each
+/// of `samples`.
 std::vector<PhysicalAgreement> physical_agreement(const dataset::Dataset& data, std::span<const std::size_t> samples,
                                                   std::span<const double> scores);
 

@@ -11,7 +11,7 @@
 
 namespace ddtool::judge {
 
-/// Positions of samples in a data set, and what their label says.
+/// Positions of samples in a data set, and whether each is labelled degenerate.
 struct LabelledSamples {
     std::vector<std::size_t> indices;
     std::vector<bool> degenerate;
@@ -25,7 +25,7 @@ using Groups = std::map<dataset::GroupKey, std::vector<std::size_t>>;
 
 Groups grouped(const dataset::Dataset& data, const LabelledSamples& samples, const dataset::Grouping& grouping);
 
-/// The scores of those samples, with progress under the name `what`.
+/// Returns the scores of those samples and shows the progress under the name `what`.
 std::vector<double> scores_of(const dataset::Dataset& data, const std::vector<std::size_t>& samples,
                               const SwarmScorer& scorer, const std::string& what);
 

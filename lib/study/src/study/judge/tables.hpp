@@ -9,18 +9,18 @@
 
 namespace ddtool::judge {
 
-/// A row a detector: what it looks at, what it was trained on and tested on, its decisions counted. The positive class
-/// is degenerate.
+/// One row for each detector: what it looks at, what it was trained and tested on, and the counts of its decisions. The
+/// positive class is degenerate.
 Table detector_table(std::span<const Evaluation> evaluations, const Task& task);
 
-/// Mean and standard deviation over models that differ in nothing but their seeds. Two of one seed differ in something
-/// else, so they and their likes are left out.
+/// Mean and standard deviation over models that differ in nothing but their seeds. If two models of a family have the
+/// same seed, they must differ in something else, so the whole family is left out.
 Table seed_table(std::span<const Evaluation> evaluations, const Task& task);
 
-/// Detectors that give degrees: calibration errors and temperatures.
+/// Calibration errors and temperatures of the detectors that give degrees.
 Table calibration_table(std::span<const Evaluation> evaluations, const Task& task);
 
-/// Scores and physics, by kind of source.
+/// How well scores agree with the physics, by kind of source.
 Table physics_table(std::span<const Evaluation> evaluations);
 
 /// A detector's figures by scene, lidar, odometry, update distance and number of particles.
@@ -31,11 +31,11 @@ struct NamedTable {
     Table table;
 };
 
-/// All of the above that have rows, in that order; groups for those of detailed() alone.
+/// All tables above that have rows, in that order. The group table covers only the evaluations of detailed().
 std::vector<NamedTable> evaluation_tables(const dataset::Dataset& data, std::span<const Evaluation> evaluations,
                                           const Task& task);
 
-/// Everything for machines.
+/// All of this as JSON, for other programs.
 Json evaluation_json(const dataset::Dataset& data, std::span<const Evaluation> evaluations, const Task& task);
 
 }  // namespace ddtool::judge

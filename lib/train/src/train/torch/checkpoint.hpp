@@ -34,7 +34,7 @@ public:
     [[nodiscard]] std::shared_ptr<Network> network();
     /// Where the training stood. Throws Error for a checkpoint without it, such as the best one.
     [[nodiscard]] train::TrainingState state();
-    /// Takes weights, optimiser and LibTorch's random state over.
+    /// Restores the weights, the optimiser and LibTorch's random state.
     void restore(Network& network, torch::optim::Optimizer& optimizer);
 
 private:

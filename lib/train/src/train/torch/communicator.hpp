@@ -24,12 +24,12 @@ public:
     Communicator& operator=(const Communicator&) = delete;
 
     [[nodiscard]] train::Rank rank() const { return rank_; }
-    /// Rank 0 writes files and talks.
+    /// Whether this is rank 0, which alone writes files and messages.
     [[nodiscard]] bool leads() const { return rank_.rank == 0; }
 
     /// Everyone gets rank 0's values.
     void copy_from_leader(std::vector<torch::Tensor> tensors) const;
-    /// The gradients of the mean over all ranks' batches.
+    /// Replaces the gradients by their mean over all ranks.
     void average_gradients(const std::vector<torch::Tensor>& parameters) const;
     /// Sums numbers over the ranks.
     [[nodiscard]] std::vector<double> sums(const std::vector<double>& values) const;

@@ -20,15 +20,16 @@ torch::Tensor sample_losses(const std::string& loss, const torch::Tensor& logits
 /// where they sum to one; a sigmoid each where it was trained by bce.
 torch::Tensor output_values(const std::string& loss, const torch::Tensor& logits);
 
-/// What a sample of each class counts; over the training part the mean is one.
+/// The weight of a sample of each class; the mean weight over the training part is one.
 struct ClassWeights {
     std::array<double, 2> of{1.0, 1.0};
 
-    /// One weight a sample, [n], for classes [n].
+    /// Returns one weight for each sample, [n], for classes [n].
     [[nodiscard]] torch::Tensor at(const torch::Tensor& classes) const;
 };
 
-/// Each class the same in all where the settings ask for it. There are samples of both.
+/// Weights that give both classes the same total weight if settings.class_weights is true, and otherwise 1 for both.
+/// `samples` must hold samples of both classes.
 ClassWeights class_weights(const dataset::Dataset& data, const std::vector<std::size_t>& samples,
                            const train::TrainSettings& settings);
 

@@ -22,7 +22,8 @@ inline Error error_of_torch(const std::filesystem::path& path, const std::string
                  std::string(text.substr(start, std::min(most, text.find('\n', start) - start))));
 }
 
-/// Runs what reads a file by LibTorch, whose errors become ours; see error_of_torch(). Ours pass.
+/// Runs an action that reads a file with LibTorch. Exceptions of LibTorch become Error by error_of_torch(); an Error
+/// passes through unchanged.
 template <typename Action>
 auto guarded_by_path(const std::filesystem::path& path, const std::string& expected, Action&& action) {
     try {

@@ -23,7 +23,8 @@ public:
     /// make no sense or are not those of the checkpoint, Error for a data set that does not fit.
     Trainer(const train::TrainRequest& request, const Communicator& communicator);
 
-    /// To the end, or until it is asked to stop. Throws Error for a loss that is no number; the checkpoints stay.
+    /// Trains to the end, or until the user asks to stop. Throws Error if the loss is not a finite number; the
+    /// checkpoints are kept.
     train::TrainResult run();
 
 private:
@@ -32,7 +33,7 @@ private:
     void resume();
     void run_epoch();
     void take_step(train::Batch& batch, std::size_t steps_per_epoch);
-    /// Of a step of the epoch under way.
+    /// The learning rate of a step of the current epoch.
     [[nodiscard]] double rate_of_step(std::size_t step, std::size_t steps_per_epoch) const;
     void end_epoch(std::size_t steps);
     [[nodiscard]] native::ModelDescription description() const;
