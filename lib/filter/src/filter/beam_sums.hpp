@@ -5,7 +5,8 @@
 
 namespace ddtool {
 
-/// The beams of one match, padded to whole lanes. Lengths in cells.
+/// The beams of one match, padded to whole vector lanes. Lengths are in cells; the arrays are those of MatchPoints
+/// (robot frame) and Residuals (world frame).
 struct BeamArrays {
     const float* x;
     const float* y;
@@ -18,16 +19,18 @@ struct BeamArrays {
     const float* known;
 };
 
-/// What the normal equations of Gauss-Newton are made of: the upper triangle of the Hessian, the gradient, the score.
+/// The sums that make up the normal equations of Gauss-Newton: the upper triangle of the Hessian, the gradient, and the
+/// score.
 enum Sum : std::size_t { xx, xy, xt, yy, yt, tt, gx, gy, gt, total_score, sum_count };
 using Sums = std::array<double, sum_count>;
 
-/// Over `beams` beams (a multiple of the lane count), with c, s the cosine and sine of the robot's heading. Each beam
-/// weighs (1 - q / reach^2)^2, the derivative of its score (1 - q / reach^2)^3 (Tukey's biweight), where q is its
-/// squared distance across the surface plus along_weight times that along it.
+/// Sets `sums` to the sums over `beams` beams (a multiple of the lane count); c and s are the cosine and sine of the
+/// robot's heading. Each beam has the weight (1 - q / reach^2)^2, from the derivative of its score (1 - q / reach^2)^3
+/// (Tukey's biweight), where q is the squared distance across the surface plus along_weight times the squared distance
+/// along it.
 void add_normal_equations(const BeamArrays& b, std::size_t beams, float c, float s, float inverse_reach2, Sums& sums);
 
-/// Sum of the scores of every stride-th block of lanes.
+/// Sum of the scores of every stride-th block of beams, a block being one set of vector lanes.
 double sum_of_scores(const BeamArrays& b, std::size_t beams, std::size_t stride, float c, float s,
                      float inverse_reach2);
 
@@ -36,7 +39,8 @@ struct LogLikelihood {
     double known_beams = 0.0;
 };
 
-/// Sum of -min(q * inverse_two_sigma2, miss) over the beams that end in known ground.
+/// Sets `result` to the sum of -min(q * inverse_two_sigma2, miss) over the beams that end in known ground, and to the
+/// number of these beams.
 void add_log_likelihoods(const BeamArrays& b, std::size_t beams, float c, float s, float inverse_two_sigma2, float miss,
                          LogLikelihood& result);
 

@@ -7,19 +7,19 @@
 
 namespace ddtool {
 
-/// What is known of each setting of the filter, in the order of their JSON.
+/// The description of each setting of the filter, in the order of their JSON.
 const std::vector<Setting>& filter_setting_list();
 
-/// Every setting of the filter with its value; keys are the fields' names.
+/// Every setting of the filter with its value; the keys are the names of the fields.
 Json filter_settings_json(const FilterSettings& settings);
 
-/// The same back. Throws UsageError naming the key for a value that makes no sense.
+/// Reads the settings back from such JSON. Throws UsageError naming the key for an invalid value.
 FilterSettings filter_settings_from_json(const Json& json);
 
-/// The parts in effect by name, as parts_of() has them.
+/// The parts that are used, by name, as parts_of() returns them.
 Json parts_json(const MethodSettings& settings);
 
-/// The defaults for many runs at once, whose seeds come from a list.
+/// The default settings for many runs at once, whose seeds come from a list instead.
 Json common_filter_json();
 
 }  // namespace ddtool

@@ -9,7 +9,7 @@
 
 namespace ddtool::native {
 
-/// Weighted sums, a bias and perhaps ReLU, at every point of a map or every token.
+/// Weighted sums, a bias and optionally ReLU, at every point of a map or for every token.
 class AffineLayer {
 public:
     struct Points {
@@ -19,13 +19,14 @@ public:
         std::size_t out_size = 0;  ///< of the buffer that `to` points into
     };
     struct Weights {
-        Floats blocks;  ///< as WeightBlocks, closely packed
+        Floats blocks;  ///< laid out as WeightBlocks, without gaps
         Floats bias;    ///< [outputs]
     };
 
     AffineLayer(Points points, Weights weights, bool relu);
 
-    /// The layer's own buffer, good until the next run. `skip`, laid out so too, is added before ReLU.
+    /// Returns the layer's own buffer, which is valid until the next run. `skip`, in the same layout, is added before
+    /// ReLU.
     const float* run(const float* in, const float* skip = nullptr);
 
 private:
@@ -41,11 +42,12 @@ struct LinearRow {
     bool relu = false;
 };
 
-/// Linear layer from tokens that start at `from` to tokens closely packed. Takes PREFIX.weight and PREFIX.bias.
+/// Linear layer from tokens that start at the offsets `from` to tokens without gaps. Takes PREFIX.weight and
+/// PREFIX.bias.
 AffineLayer linear(NamedWeights& weights, const std::string& prefix, const LinearRow& row,
                    std::vector<std::size_t> from);
 
-/// Where `count` tokens lie that are closely packed.
+/// The offsets of `count` tokens of that width without gaps.
 std::vector<std::size_t> packed_tokens(std::size_t count, std::size_t width);
 
 }  // namespace ddtool::native

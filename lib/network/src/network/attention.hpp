@@ -7,14 +7,14 @@
 
 namespace ddtool::native {
 
-/// Scaled dot-product attention of tokens to one another (Vaswani et al. 2017, equation 1), for each head by itself.
+/// Scaled dot-product attention of tokens to one another (Vaswani et al. 2017, equation 1), for each head separately.
 class Attention {
 public:
-    /// A head's width (width / heads) is a multiple of block_width.
+    /// The width of a head (width / heads) must be a multiple of block_width.
     Attention(std::size_t tokens, std::size_t width, std::size_t heads);
 
-    /// query_key_value: [tokens][3][heads][width / heads]. The result [tokens][width] is the layer's own buffer, good
-    /// until the next run.
+    /// query_key_value: [tokens][3][heads][width / heads]. The result [tokens][width] is the layer's own buffer, which
+    /// is valid until the next run.
     const float* run(const float* query_key_value);
 
 private:

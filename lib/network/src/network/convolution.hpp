@@ -16,12 +16,13 @@ struct ConvolutionRow {
 
 MapShape shape_after(const ConvolutionRow& row, const MapShape& in);
 
-/// Convolution and batch normalisation as one layer, by the way that costs least. Takes as folded_kernel().
+/// Convolution and batch normalisation as one layer, computed in the way that costs least. Takes the tensors that
+/// folded_kernel() takes.
 class Convolution {
 public:
     Convolution(NamedWeights& weights, const std::string& prefix, const MapShape& in, const ConvolutionRow& row);
 
-    /// As AffineLayer's.
+    /// The same as AffineLayer::run().
     const float* run(const float* in, const float* skip = nullptr) {
         return std::visit([&](auto& layer) { return layer.run(in, skip); }, layer_);
     }

@@ -11,18 +11,19 @@
 
 namespace ddtool::native {
 
-/// A trained network of the DD-Model's kind, one image at a time. Nothing is allocated after construction.
+/// A trained network of the DD-Model's kind, which runs on one image at a time. Nothing is allocated after
+/// construction.
 class DDNetwork {
 public:
-    /// Takes all of the network's tensors, under the names that train_torch::DDModel gives them. Channels and the width
-    /// of a head are multiples of block_width. Throws Error as NamedWeights does.
+    /// Takes all tensors of the network, under the names that train_torch::DDModel gives them. The numbers of channels
+    /// and the width of a head must be multiples of block_width. Throws Error as NamedWeights does.
     DDNetwork(NamedWeights& weights, const DDModelTable& table, std::size_t size_px);
 
     /// The two logits of an image of size_px * size_px floats, row by row from the top.
     std::array<double, 2> run(std::span<const float> image);
 
 private:
-    std::vector<float> position_;  ///< first: where an image's size is a lie, nothing of that size is made
+    std::vector<float> position_;  ///< first, so that a wrong size_px throws before anything of that size is made
     Stem stem_;
     std::vector<BasicBlock> blocks_;
     AffineLayer embedding_;

@@ -27,24 +27,24 @@ struct EncoderRow {
     std::int64_t feed_forward = 0;  ///< width of its hidden layer
 };
 
-/// A network of the DD-Model's kind (paper, section "Degeneracy Detection Model" and its figure; docs/models.md tells
-/// what the paper leaves open): residual backbone, transformer neck, two-way head.
+/// A network of the DD-Model's kind: residual backbone, transformer neck and two-way head (paper, section "Degeneracy
+/// Detection Model" and its figure; docs/models.md says what the paper leaves open).
 struct DDModelTable {
     StemRow stem;
     std::vector<GroupRow> groups;
     EncoderRow encoder;
 };
 
-/// The paper's: the map that goes to the neck is 256 x 28 x 28 for images of 224 x 224.
+/// The paper's network. The map that goes to its neck is 256 x 28 x 28 for images of 224 x 224.
 const DDModelTable& ddmodel_table();
-/// The same made small, for a robot's processor.
+/// A smaller version of it for a robot's processor.
 const DDModelTable& ddmodel_lite_table();
 /// The table of "ddmodel" or "ddmodel-lite"; null for another network.
 const DDModelTable* find_ddmodel_table(const std::string& network);
 
-/// Side of the map that a convolution or pooling with an odd, padded kernel makes of one with that side.
+/// Side of the map that a padded convolution or pooling with an odd kernel makes from a map of side side_px.
 constexpr std::int64_t strided(std::int64_t side_px, std::int64_t stride) { return (side_px - 1) / stride + 1; }
-/// Number of places of the map that goes to the neck.
+/// Number of places, and so of tokens, of the map that goes to the neck.
 std::int64_t token_count(const DDModelTable& table, std::int64_t size_px);
 
 }  // namespace ddtool::native

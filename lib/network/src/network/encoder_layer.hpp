@@ -7,12 +7,14 @@
 
 namespace ddtool::native {
 
-/// One layer of a transformer encoder as train_torch::EncoderLayer: normalisation first. Takes encoder.*.
+/// One layer of a transformer encoder, the same as train_torch::EncoderLayer, with the normalisation first. Takes
+/// encoder.*.
 class EncoderLayer {
 public:
     EncoderLayer(NamedWeights& weights, const EncoderRow& row, std::size_t tokens);
 
-    /// [tokens][width] to the same; the layer's own buffer, good until the next run.
+    /// From [tokens][width] to [tokens][width]. The result is the layer's own buffer, which is valid until the next
+    /// run.
     const float* run(const float* in);
 
 private:

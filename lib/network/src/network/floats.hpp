@@ -6,7 +6,7 @@
 
 namespace ddtool::native {
 
-/// A cache line; vectors that cross one take twice as long to load.
+/// Aligns memory to cache lines, since vectors that cross a line take twice as long to load.
 template <typename T>
 struct CacheLineAllocator {
     using value_type = T;

@@ -8,14 +8,14 @@
 
 namespace ddtool::native {
 
-/// A kernel [outputs][inputs][kernel_px][kernel_px] without bias, and the batch normalisation after it (Ioffe and
-/// Szegedy 2015), as one: where the statistics are fixed, the latter is a factor and a shift for each output.
+/// A kernel [outputs][inputs][kernel_px][kernel_px] without bias, combined with the batch normalisation after it (Ioffe
+/// and Szegedy 2015). With fixed statistics, the normalisation is a factor and a shift for each output.
 struct FoldedKernel {
     std::vector<float> values;
     Floats bias;  ///< [outputs]
 };
 
-/// Takes PREFIX.conv.weight and PREFIX.norm.*.
+/// Takes PREFIX.conv.weight and PREFIX.norm.* from `weights`.
 FoldedKernel folded_kernel(NamedWeights& weights, const std::string& prefix, std::size_t outputs, std::size_t inputs,
                            std::size_t kernel_px);
 

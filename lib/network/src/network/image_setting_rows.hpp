@@ -5,6 +5,7 @@
 
 namespace ddtool {
 
+/// The description of each image setting.
 const SettingTable<ImageSettings>& image_setting_rows();
 
 }  // namespace ddtool

@@ -7,13 +7,14 @@
 
 namespace ddtool::native {
 
-/// Layer normalisation (Ba et al. 2016) of each of `tokens` closely packed tokens. Takes PREFIX.weight and PREFIX.bias.
+/// Layer normalisation (Ba et al. 2016) of each of `tokens` tokens, which lie in memory without gaps. Takes
+/// PREFIX.weight and PREFIX.bias.
 class LayerNorm {
 public:
-    /// width: a multiple of lane_count.
+    /// width: must be a multiple of lane_count.
     LayerNorm(NamedWeights& weights, const std::string& prefix, std::size_t tokens, std::size_t width);
 
-    /// The layer's own buffer, good until the next run.
+    /// Returns the layer's own buffer, which is valid until the next run.
     const float* run(const float* in);
 
 private:

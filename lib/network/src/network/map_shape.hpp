@@ -8,8 +8,8 @@
 
 namespace ddtool::native {
 
-/// A square map in memory: row by row, the channels of a place together, and around it a border one place wide that
-/// stays 0 (a 3x3 convolution's padding).
+/// A square map in memory: row by row, with the channels of a place together, and around it a border one place wide
+/// that stays 0 (the padding of a 3x3 convolution).
 struct MapShape {
     std::size_t side = 0;
     std::size_t channels = 0;
@@ -21,12 +21,12 @@ struct MapShape {
     }
 };
 
-/// Side of the map that a padded convolution or pooling makes.
+/// Side of the map that a padded convolution or pooling makes from a map of that side.
 inline std::size_t strided(std::size_t side, std::size_t stride) {
     return static_cast<std::size_t>(strided(static_cast<std::int64_t>(side), static_cast<std::int64_t>(stride)));
 }
 
-/// Where every stride-th place of each axis lies, row by row.
+/// Offsets of every stride-th place along each axis, row by row.
 inline std::vector<std::size_t> places(const MapShape& shape, std::size_t stride = 1) {
     std::vector<std::size_t> found;
     for (std::size_t y = 0; y < shape.side; y += stride) {

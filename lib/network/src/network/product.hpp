@@ -7,10 +7,10 @@
 
 namespace ddtool::native {
 
-/// Outputs are worked on in blocks of so many; every number of outputs is a multiple of it.
+/// Outputs are computed in blocks of this many; every number of outputs must be a multiple of it.
 inline constexpr std::size_t block_width = 2 * lane_count;
 
-/// The inputs that a point sees: `rows` runs of `length` neighbours, whose starts lie `row_step` apart.
+/// The inputs that a point uses: `rows` runs of `length` neighbours, whose starts are `row_step` floats apart.
 struct Window {
     std::size_t rows = 1;
     std::size_t length = 0;
@@ -18,7 +18,7 @@ struct Window {
     [[nodiscard]] std::size_t inputs() const { return rows * length; }
 };
 
-/// Weights in blocks of block_width outputs; of each block block_width weights for every input of the window.
+/// Weights in blocks of block_width outputs. A block holds block_width weights for every input of the window.
 struct WeightBlocks {
     const float* first = nullptr;
     std::size_t input_step = block_width;  ///< from the weights of one input to the next's, in floats
@@ -26,7 +26,7 @@ struct WeightBlocks {
 };
 
 /// The same weighted sums at many points: out[to[p] + o] = bias[o] + sum_i weight(i, o) * (input i of p's window).
-/// It is convolutions, linear layers and the products of attention at once.
+/// Convolutions, linear layers and the products of attention are all computed in this form.
 struct Product {
     const float* in = nullptr;
     std::span<const std::size_t> from;  ///< where each point's window starts in `in`
@@ -35,16 +35,17 @@ struct Product {
     std::size_t outputs = 0;
     const float* bias = nullptr;  ///< [outputs]; null: zeros
     const float* skip = nullptr;  ///< added to the result, laid out as `out`; null: none. Never `out` itself.
-    bool relu = false;            ///< last of all
+    bool relu = false;            ///< applied last
     float* out = nullptr;
-    std::span<const std::size_t> to;  ///< as many as `from`
+    std::span<const std::size_t> to;  ///< where each point's outputs start in `out`; as many as `from`
 };
 
-/// Sums run over the inputs in order, one lane for each output: the same bytes on every processor.
+/// Computes the product. Each sum is formed in the order of the inputs, in one lane per output, so the result is the
+/// same, byte for byte, on every processor.
 void multiply(const Product& product);
 
-/// What `multiply` is made of: the first for processors with AVX-512, the second for all others. Each gives the right
-/// sums on any processor; the first takes its time where it does not belong.
+/// The two implementations of multiply(): the first for processors with AVX-512, the second for all others. Both give
+/// the right sums on any processor, but the first is slow without AVX-512.
 void multiply_in_wide_lanes(const Product& product);
 void multiply_in_lanes(const Product& product);
 

@@ -8,13 +8,14 @@
 
 namespace ddtool {
 
-/// How matching answers the odometry: for each particle x, how far its predicted motion lies from the swarm's mean, and
-/// y, how far its matched motion does, both along the direction that matching leaves widest compared with the
-/// prediction, in standard deviations of the prediction. A scan that says nothing of that direction gives every
-/// particle back what it came with: a diagonal. One that fixes it gives all the same: a level line. The slope between
-/// is the share of the odometry's noise that is left (docs/imaging.md), and needs far fewer particles to be seen than
-/// the ratio of two spreads, since every particle is compared with itself. Predicted spreads below least_spread_m count
-/// as that. Particles that are not finite are left out.
+/// How the matched motion depends on the predicted one. For each particle, x is how far its predicted motion is from
+/// the swarm's mean, and y how far its matched motion is from the mean of the matched motions. Both are measured along
+/// the direction in which matching leaves the largest spread compared with the prediction, in standard deviations of
+/// the prediction. If the scan says nothing about that direction, every particle keeps its deviation and the points
+/// form a diagonal. If the scan determines it, all particles get the same value and the points form a level line. The
+/// slope in between is the share of the odometry's noise that is left (docs/imaging.md). It can be seen with far fewer
+/// particles than the ratio of two spreads, since every particle is compared with itself. Predicted standard deviations
+/// below least_spread_m (metres) are replaced by it. Particles that are not finite are left out.
 void response(std::span<const SnapshotParticle> particles, double least_spread_m, std::vector<Point2>& points);
 
 }  // namespace ddtool

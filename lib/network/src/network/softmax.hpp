@@ -4,7 +4,8 @@
 
 namespace ddtool::native {
 
-/// Rows of scores in memory: of each, `columns` count; the rest up to row_step, a multiple of lane_count, is scratch.
+/// Rows of scores in memory. The first `columns` of each row are scores; the rest up to row_step, a multiple of
+/// lane_count, may be overwritten.
 struct ScoreRows {
     float* scores = nullptr;
     std::size_t rows = 0;
@@ -12,7 +13,7 @@ struct ScoreRows {
     std::size_t row_step = 0;
 };
 
-/// Every row becomes the softmax of `scale` > 0 times itself.
+/// Replaces every row by the softmax of `scale` times the row; `scale` must be above 0.
 void apply_softmax(const ScoreRows& matrix, float scale);
 
 }  // namespace ddtool::native

@@ -9,14 +9,15 @@
 namespace ddtool::native {
 
 /// The network's first convolution with its batch normalisation, 3x3 max pooling of stride 2, and ReLU. An image of
-/// particles is nearly empty, so each marked pixel is added to the few outputs that see it.
+/// particles is nearly empty, so it adds each marked pixel to the few outputs that the pixel affects.
 class Stem {
 public:
     /// Takes stem.conv.weight and stem.norm.*.
     Stem(NamedWeights& weights, const StemRow& row, std::size_t size_px);
 
     [[nodiscard]] const MapShape& out_shape() const { return out_shape_; }
-    /// image: size_px * size_px floats, row by row. The stem's own buffer, good until the next run.
+    /// image: size_px * size_px floats, row by row from the top. Returns the stem's own buffer, which is valid until
+    /// the next run.
     const float* run(std::span<const float> image);
 
 private:

@@ -5,7 +5,8 @@
 
 namespace ddtool::native {
 
-/// weight_of(output, input) as WeightBlocks, closely packed.
+/// Lays out the weights weight_of(output, input) as WeightBlocks without gaps. `outputs` must be a multiple of
+/// block_width.
 template <typename WeightOf>
 Floats packed_weights(std::size_t outputs, std::size_t inputs, const WeightOf& weight_of) {
     Floats blocks(outputs * inputs);

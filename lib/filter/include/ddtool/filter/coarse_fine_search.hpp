@@ -7,16 +7,18 @@
 namespace ddtool {
 
 struct CoarseFineSettings {
-    double step_m = 0.1;     ///< delta_l
-    double turn_rad = 0.05;  ///< delta_a
+    double step_m = 0.1;     ///< delta_l, the length of a coarse step
+    double turn_rad = 0.05;  ///< delta_a, the angle of a coarse step
 };
 
-/// Pairs of a coarse and a fine search: one, and one more for every 0.25 of the degree (Fig. system_pipeline).
+/// How many pairs of a coarse and a fine search are made: one, and one more for every 0.25 of the degree (the paper's
+/// figure system_pipeline). Degrees outside of 0..1 are clamped to it.
 std::size_t search_count(double degree);
 
-/// The paper's "Global Position Optimization": from the match, steps of delta_l in eight directions and turns of
-/// +-delta_a, to the best score, then the same with half of each; all of it search_count() times. What is found counts
-/// where it scores higher than the match did.
+/// The paper's "Global Position Optimization". Starting at the pose that scan matching found, a coarse search tries
+/// steps of delta_l in eight directions and turns of +-delta_a and moves to the best score; a fine search does the same
+/// with half of each. This pair of searches runs search_count() times. The result replaces the match only where its
+/// score over all beams is higher than the score of the match.
 class CoarseFineSearch : public PoseCorrection {
 public:
     explicit CoarseFineSearch(const CoarseFineSettings& settings) : settings_(settings) {}

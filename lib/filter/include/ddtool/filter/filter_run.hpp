@@ -10,23 +10,25 @@
 
 namespace ddtool {
 
-/// What a filter made of a stream.
+/// The result of running a filter over a stream.
 struct FilterRun {
-    Trajectory trajectory;                   ///< a pose for every scan, by the history of the best particle at the end
-    Trajectory ground_truth;                 ///< where the stream has it
-    OccupancyGrid map{OccupancySettings{}};  ///< the best particle's
+    Trajectory trajectory;    ///< a pose for every scan, from the past of the particle that is best at the end
+    Trajectory ground_truth;  ///< world_from_robot of every frame for which the stream has it
+    OccupancyGrid map{OccupancySettings{}};  ///< map of the best particle
     std::uint64_t updates = 0;
     std::uint64_t resamplings = 0;
-    double read_s = 0.0;      ///< wall time in the stream
-    StageTimes times;         ///< in the filter, over all updates
-    std::string ended_early;  ///< why the maps could not grow on and the run ended there; empty at the stream's end
+    double read_s = 0.0;      ///< wall time spent reading the stream
+    StageTimes times;         ///< wall time spent in the filter, summed over all updates
+    std::string ended_early;  ///< why the maps could not grow further; empty if the run did not end for that reason
 };
 
-/// Sees every frame after the filter has taken it, with the update where there was one; false ends the run.
+/// Called for every frame after the filter has processed it, with the update if there was one. Returning false ends the
+/// run.
 using FrameObserver = std::function<bool(const SensorFrame& frame, const std::optional<Update>& update)>;
 
-/// Feeds the filter from a stream to its end, or to where its maps cannot grow on (MapTooLarge); everything is empty
-/// when there was no scan. Throws MapTooLarge where the first scan is too much.
+/// Feeds the stream to the filter until the stream ends, `observe` returns false, or the maps cannot grow further
+/// (MapTooLarge; FilterRun::ended_early then gives the reason). If there was no scan, the result is empty. Throws
+/// MapTooLarge if even the first scan does not fit into the maps.
 FilterRun run_filter(SensorStream& stream, Rbpf& filter, const FrameObserver& observe);
 
 }  // namespace ddtool

@@ -8,21 +8,22 @@
 
 namespace ddtool {
 
-/// A run of cells in a row: x_begin..x_end-1.
+/// Adjacent cells x_begin..x_end-1 of row y.
 struct CellSpan {
     int y = 0, x_begin = 0, x_end = 0;
 };
 
-/// Finds the cells that one scan saw through, each once however many beams pass it. Between two neighbouring beams
-/// the triangle from the laser to their end points is free, shrunk towards the laser until its far side keeps
-/// `margin_cells` from the line through the end points: along a wall that is a strip beside it, across a jump in
-/// range the triangle all but vanishes.
-/// Keeps its buffers between calls.
+/// Finds the cells that the beams of one scan passed through, each cell once however many beams pass it. Between two
+/// neighbouring beams, the triangle from the laser to their end points is free. It is shrunk towards the laser until
+/// its far side is `margin_cells` away from the line through the end points: along a wall this leaves out a strip
+/// beside the wall, and where the range jumps almost nothing of the triangle remains.
+/// The object keeps its buffers between calls, so each thread needs its own.
 class FreeSpace {
 public:
     explicit FreeSpace(double margin_cells) : margin_cells_(margin_cells) {}
 
-    /// ends_cells: the end points of `points` in cells, in the world; origin_cells: the laser likewise.
+    /// ends_cells: the end points of `points` in the world frame, in units of cells; origin_cells: the laser's position
+    /// in the same frame and unit. The result is valid until the next call.
     const std::vector<CellSpan>& find(const ScanPoints& points, const std::vector<Point2>& ends_cells,
                                       Point2 origin_cells);
 

@@ -5,34 +5,41 @@
 namespace ddtool {
 
 struct FusionSettings {
-    /// Below this degree the match stands as it is.
+    /// Below this degree of degeneracy, an accepted match is used unchanged.
     double least_degree = 0.25;
-    /// Odometry that is farther from the match than this many standard deviations of both counts as less sure.
+    /// Where the odometry's pose is farther from the match than this many standard deviations of both together, the
+    /// odometry's information is scaled down.
     double most_deviations = 3.0;
-    /// Moved by less, the scan is not judged anew.
+    /// If the fusion moves the pose by no more than settled_m and settled_rad, the match's score and likelihood are
+    /// kept instead of being computed again at the new pose.
     double settled_m = 0.01;
     double settled_rad = 0.003;
 };
 
-/// The match's information about the pose without what comes from the normals' errors and, in the directions in which
-/// the match says less than the odometry, without the share `degree` of it. In the generalised eigenbasis of (match,
-/// odometry), where lambda_i is the ratio of their information along direction i (soft solution remapping; compare
-/// Zhang, Kaess, Singh, "On degeneracy of optimization-based state estimation problems", ICRA 2016):
+/// The part of the match's information about the pose that can be believed. It leaves out what only comes from errors
+/// of the surface normals and, in directions in which the match has less information than the odometry, the share
+/// `degree` of the rest. The computation is done in the generalised eigenbasis of (match, odometry), where lambda_i is
+/// the ratio of their information along direction i (soft solution remapping; compare Zhang, Kaess, Singh, "On
+/// degeneracy of optimization-based state estimation problems", ICRA 2016):
 ///     lambda_i' = max(0, lambda_i - floor_i) (1 - degree / (1 + lambda_i))
-/// Both matrices over (x, y, theta); odometry_information is positive definite.
+/// where the lambda_i in the last factor is the one after floor_i is taken off. Both matrices are over (x, y, theta) in
+/// the same frame; odometry_information must be positive definite.
 Eigen::Matrix3d credible_information(const Eigen::Matrix3d& match_information,
                                      const Eigen::Matrix3d& odometry_information, double normal_error_rad,
                                      double degree);
 
-/// The mean of match and odometry, each weighted with its information in every direction: along a corridor the odometry
-/// carries the pose, across it and in heading the walls do. The pose is
+/// The mean of match and odometry, in every direction weighted with the information of each: along a corridor the
+/// odometry determines the pose, across it and in heading the walls do. The pose is
 ///     x = o + (I_m + I_o)^-1 I_m (m - o),
-/// m the match without the pull of the sampled motion, to first order. The result's information is the credible one.
+/// where o is the odometry's pose, m the pose that the scan alone would give, to first order (the match without the
+/// pull of the sampled motion), and I_m and I_o their information. The result's information is credible_information();
+/// it is zero where the match was not accepted.
 class InformationFusion : public PoseCorrection {
 public:
-    /// Error of the surface normals that the match sees. Because of it a bare wall seems to hold the robot a little
-    /// along itself: the share normal_error_rad^2 of what it holds across, which is taken off in every direction. No
-    /// setting: it is the size that ScanPoints' normals err by, and follows from how they are made.
+    /// Standard deviation of the surface normals that the match uses. Because of these errors, a bare wall seems to
+    /// constrain the robot a little along itself: by the share normal_error_rad^2 of the information across it. That
+    /// amount is subtracted in every direction. It is not a setting because it follows from how ScanPoints computes its
+    /// normals.
     static constexpr double normal_error_rad = 0.05;
 
     explicit InformationFusion(const FusionSettings& settings) : settings_(settings) {}

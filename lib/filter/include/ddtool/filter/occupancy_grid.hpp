@@ -9,7 +9,7 @@
 
 namespace ddtool {
 
-/// A cell of the grid: covers [x, x+1) x [y, y+1) in cells from the world's origin.
+/// A cell of the grid. It covers [x, x+1) x [y, y+1), in cells from the world's origin.
 struct Cell {
     int x = 0;
     int y = 0;
@@ -17,61 +17,66 @@ struct Cell {
     bool operator==(const Cell&) const = default;
 };
 
-/// Further from the world's origin than this cells have no number, and no map reaches.
+/// Largest distance of a cell from the world's origin along either axis, in cells. Cells beyond it have no number, and
+/// no map reaches that far.
 inline constexpr double most_cells = 1e9;
 
-/// Cells x_min..x_max-1, y_min..y_max-1.
+/// The cells with x in x_min..x_max-1 and y in y_min..y_max-1.
 struct CellBox {
     int x_min = 0, y_min = 0, x_max = 0, y_max = 0;
 
     [[nodiscard]] bool empty() const { return x_min >= x_max || y_min >= y_max; }
 };
 
-/// Log odds are kept in steps of one observed-free; what a hit is worth follows from the share of observations that
-/// must be hits for a cell to count as occupied: free_step / (hit_step + free_step).
+/// Log odds are counted in whole steps: an observation of a cell as free subtracts free_step, a hit adds hit_step. A
+/// cell therefore counts as occupied if the share of hits among its observations exceeds free_step / (hit_step +
+/// free_step), as long as the log odds stay between their limits.
 struct OccupancySettings {
     double cell_size_m = 0.05;
     int hit_step = 6;
     int free_step = 1;
     int min_log_odds = -30;
     int max_log_odds = 60;
-    /// No map grows once all maps of the process together take so many MiB; 0: there is no limit.
+    /// Limit in MiB on the memory of all maps of the process together, beyond which no map grows; 0 means no limit.
     std::uint64_t most_memory_mib = 0;
 };
 
-/// A map would grow beyond what maps may take. run_filter() ends there, with what it has.
+/// Thrown when a map would grow beyond its limits. run_filter() then ends the run and returns the result so far.
 class MapTooLarge : public Error {
 public:
     using Error::Error;
 };
 
-/// Occupancy of the plane in patches shared between copies until written, and with it the field that scan matching
-/// reads: for every cell the nearest occupied point (the mean of the end points that fell into a cell) within
-/// field_radius cells. The field is kept up to date cell by cell, so it never has to be built.
+/// Occupancy of the plane, stored in patches that copies of the grid share until one of them writes. It also holds the
+/// field that scan matching reads: for every cell, the nearest occupied point within field_radius cells, where the
+/// point of an occupied cell is the mean of the end points that fell into it. Every change updates the field around the
+/// changed cell, so it is never built as a whole.
 class OccupancyGrid {
 public:
     static constexpr int field_radius = 3;
-    static constexpr std::int64_t most_patches = std::int64_t{1} << 23;  ///< 64 MB of pointers
+    static constexpr std::int64_t most_patches = std::int64_t{1} << 23;  ///< limit on a map's table of pointers: 64 MiB
 
     explicit OccupancyGrid(const OccupancySettings& settings);
 
     [[nodiscard]] const OccupancySettings& settings() const { return settings_; }
     [[nodiscard]] double cell_size_m() const { return settings_.cell_size_m; }
 
-    /// Steps of evidence for "occupied" above 0, for "free" below; Patch::unknown where nothing was observed.
+    /// Evidence in steps: above 0 for "occupied", otherwise for "free"; Patch::unknown where nothing was observed.
     [[nodiscard]] std::int8_t log_odds(Cell cell) const {
         return patch_at(cell).log_odds[Patch::local(cell.x, cell.y)];
     }
     [[nodiscard]] bool occupied(Cell cell) const { return log_odds(cell) > 0; }
+    /// The nearest occupied point as seen from the cell's centre; none() where there is no such point in the field.
     [[nodiscard]] NearestPoint nearest(Cell cell) const { return patch_at(cell).nearest[Patch::local(cell.x, cell.y)]; }
 
-    /// Makes room for writing to the box. Both functions below need it. Throws MapTooLarge where the memory that the
-    /// settings allow may not do for it, and for a map of more than most_patches, some square kilometres: no robot
-    /// drives so far, but an odometry that jumps does.
+    /// Makes room for writing to the box. It must be called before the two functions below, for a box that holds the
+    /// cells they write. Throws MapTooLarge if the memory that the settings allow might not suffice, or if the map
+    /// would have more than most_patches, which is some square kilometres: no robot drives that far, but an odometry
+    /// whose poses jump does.
     void reserve(const CellBox& box);
-    /// An end point in `cell`, at `offset` from its centre.
+    /// Enters an end point in `cell`, at `offset` from the cell's centre.
     void add_hit(Cell cell, NearestPoint offset);
-    /// Cells x_begin..x_end-1 of a row were seen through.
+    /// Enters that beams passed through cells x_begin..x_end-1 of row y.
     void add_free(int y, int x_begin, int x_end);
 
     /// The smallest box of whole patches that holds everything observed.

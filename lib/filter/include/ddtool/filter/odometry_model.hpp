@@ -8,30 +8,33 @@
 
 namespace ddtool {
 
-/// A motion that both the odometry and the scans have measured.
+/// A motion that was measured by both the odometry and the scans.
 struct ObservedMotion {
-    Pose2 odometry;           ///< as the log has it, in the robot's frame before
-    double duration_s = 0.0;  ///< 0 where stamps do not rise
-    /// What the scan says of the pose after the motion (x, y, theta in the robot's frame then; 1/m^2, 1/(m rad), ...).
+    Pose2 odometry;           ///< as logged, in the robot's frame before the motion
+    double duration_s = 0.0;  ///< 0 where the stamps do not increase
+    /// Information that the scan gives about the pose after the motion (x, y, theta in the robot's frame after the
+    /// motion; 1/m^2, 1/(m rad), 1/rad^2).
     Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
-    /// Pose so many updates ago (0: now) of the particle believed most, after scan matching, or of its ancestor then;
-    /// no further back than a thousand updates is certain, then it is the oldest.
+    /// world_from_robot, after scan matching, of the best particle or its ancestor, the given number of updates ago (0:
+    /// now). At least a thousand updates back are available; beyond the oldest pose kept, it returns that one. It may
+    /// be called only while learn() runs.
     std::function<Pose2(std::size_t)> pose_before;
 };
 
-/// What the odometry's motion tells of the true one. It belongs to one filter and is called by one thread at a time.
+/// Estimates the true motion from the odometry's. An object belongs to one filter and is called by one thread at a
+/// time.
 class OdometryModel {
 public:
     virtual ~OdometryModel() = default;
-    /// The likeliest motion.
+    /// The most likely motion, in the robot's frame before the motion.
     [[nodiscard]] virtual Pose2 expected(const Pose2& odometry_motion, double duration_s) const = 0;
-    /// Its standard deviations, in the robot's frame before.
+    /// Standard deviations of the true motion about expected(), in the robot's frame before the motion.
     [[nodiscard]] virtual MotionSigmas sigmas(const Pose2& odometry_motion, double duration_s) const = 0;
-    /// Told of every update, in order.
+    /// Called once per update after the first, in order.
     virtual void learn(const ObservedMotion& motion) = 0;
 };
 
-/// The odometry as it is, with noise that does not change.
+/// Takes the odometry as it is, with noise that does not change.
 class FixedOdometry : public OdometryModel {
 public:
     explicit FixedOdometry(const MotionNoise& noise) : noise_(noise) {}

@@ -10,7 +10,7 @@
 
 namespace ddtool {
 
-/// Where the nearest occupied point lies as seen from a cell's centre, in 1/32 cell.
+/// Where the nearest occupied point lies as seen from a cell's centre, in units of 1/32 of a cell.
 struct NearestPoint {
     static constexpr std::int8_t none_mark = -128;
     static constexpr int units_per_cell = 32;
@@ -22,13 +22,13 @@ struct NearestPoint {
     bool operator==(const NearestPoint&) const = default;
 };
 
-/// What all maps of the process take: patches, each once however many particles share it, and the tables of pointers to
-/// them. Any thread may ask.
+/// Memory in bytes of all maps of the process: patches, each counted once however many particles share it, and the
+/// tables of pointers to them. Any thread may read it at any time.
 struct MapBytes {
     inline static std::atomic<std::size_t> live = 0;
 };
 
-/// Counts what a container allocates as part of live_map_bytes().
+/// Adds what a container allocates to MapBytes::live.
 template <typename Value>
 struct CountedAllocator {
     using value_type = Value;
@@ -67,7 +67,7 @@ struct Patch {
     Patch& operator=(const Patch&) = delete;
     ~Patch() { MapBytes::live.fetch_sub(sizeof(Patch), std::memory_order_relaxed); }
 
-    /// Place of a cell in the arrays, from its coordinates in the whole grid.
+    /// Index of a cell in the arrays, from its coordinates in the whole grid.
     static std::size_t local(int cell_x, int cell_y) {
         return static_cast<std::size_t>(cell_y & local_mask) * size_cells +
                static_cast<std::size_t>(cell_x & local_mask);
@@ -78,8 +78,9 @@ struct Patch {
     std::atomic<std::uint32_t> owners = 1;
 };
 
-/// Shared ownership of a Patch, one pointer wide. Unlike std::shared_ptr's use_count(), the count that writable() asks
-/// synchronises with the release of the other owners, so that a thread that finds itself the only owner may write.
+/// Shared ownership of a Patch, one pointer wide. Unlike std::shared_ptr's use_count(), the count that writable() reads
+/// synchronises with the release by other owners, so a thread that finds itself the only owner may write. A single
+/// PatchPointer must not be used by two threads at once.
 // NOLINTNEXTLINE(cppcoreguidelines-special-member-functions): the one assignment copies and moves.
 class PatchPointer {
 public:
@@ -96,7 +97,7 @@ public:
     const Patch* operator->() const { return patch_; }
     [[nodiscard]] bool empty() const { return patch_ == empty_patch(); }
 
-    /// The patch to write to: the shared one is copied first.
+    /// The patch for writing. If it is shared, this pointer gets its own copy first.
     Patch& writable() {
         if (patch_->owners.load(std::memory_order_acquire) != 1) {
             *this = PatchPointer(new Patch(*patch_));
@@ -112,14 +113,15 @@ private:
             delete patch_;
         }
     }
-    /// Stands for unknown ground everywhere; it always has one more owner, so nobody writes to it.
+    /// The patch that stands for unknown ground everywhere. It always has one extra owner, so it is copied before every
+    /// write.
     static Patch* empty_patch() noexcept { return empty_; }
     static Patch* const empty_;
 
     Patch* patch_;
 };
 
-/// Patches of one map, row by row.
+/// The patches of one map, row by row.
 using PatchTable = std::vector<PatchPointer, CountedAllocator<PatchPointer>>;
 
 }  // namespace ddtool

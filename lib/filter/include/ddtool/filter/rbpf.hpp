@@ -22,9 +22,10 @@ struct RbpfSettings {
     double update_distance_m = 0.1;  ///< the filter updates after this much odometry motion
     double update_turn_rad = 0.1;    ///< or this much turning
     double resample_share = 0.3;     ///< resample when the effective sample size falls below this share of particles
-    /// Exponent on the scan's likelihood: neighbouring beams and scans err together, so their product is too sure.
+    /// Exponent on the scan's likelihood. The errors of neighbouring beams and of successive scans are correlated, so
+    /// the product of their likelihoods alone would be too confident.
     double likelihood_gain = 0.05;
-    /// Scans enter the map after this much motion or turning since the last that did.
+    /// A scan is entered into the maps after this much motion or turning since the last scan that was entered.
     double insert_distance_m = 0.3;
     double insert_turn_rad = 0.3;
     MotionNoise motion;
@@ -33,59 +34,61 @@ struct RbpfSettings {
     ScanMatcherSettings matcher;
 };
 
-/// A hypothesis of the path and the map that goes with it.
+/// A hypothesis: a path and the map that belongs to it.
 struct Particle {
     Pose2 pose;              ///< world_from_robot
-    Pose2 pose_before;       ///< at the update before
-    Pose2 predicted_motion;  ///< since the last update, in the robot's frame there, sampled from the motion model
+    Pose2 pose_before;       ///< world_from_robot at the previous update
+    Pose2 predicted_motion;  ///< since the previous update, in the robot's frame at it, sampled from the motion model
     Pose2 matched_motion;    ///< the same after scan matching and corrections
     ScanMatch match;
-    double log_likelihood = 0.0;  ///< since the last resampling; the weight is its exponential, after the gain
+    double log_likelihood =
+        0.0;  ///< since the last resampling; the weight is proportional to exp(likelihood_gain * this)
     PathRecord::Node past = PoseHistory::none;
     OccupancyGrid grid;
-    /// Of the pose relative to the particle's map (x, y, theta in the world; m^2, m rad, rad^2).
+    /// Covariance of the pose relative to the particle's map (x, y, theta in the world; m^2, m rad, rad^2).
     Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
 };
 
 /// Rao-Blackwellised particle filter with one grid map per particle (Grisetti, Stachniss, Burgard, "Improved techniques
 /// for grid mapping with Rao-Blackwellized particle filters", IEEE T-RO 2007; Thrun, Burgard, Fox, "Probabilistic
-/// robotics", 2005, table 13.4). Used by one thread at a time; inside, the work of an update is shared by the pool's
-/// threads. The same seed gives the same bytes on any number of threads.
+/// robotics", 2005, table 13.4). An object may be used by one thread at a time; inside, the work of an update is spread
+/// over the threads of the pool. The same seed gives the same results, byte for byte, with any number of threads.
 class Rbpf {
 public:
     /// `threads` must outlive the filter.
     Rbpf(const RbpfSettings& settings, ThreadPool& threads, FilterStrategies strategies = {});
 
-    /// Takes the next scan. Empty where the robot has hardly moved since the last update; the first scan starts the map
-    /// and is an update, too. Throws MapTooLarge where the maps cannot take the scan; the filter then stands
-    /// at the update before, though some of its maps have the scan.
+    /// Processes the next scan. Returns nothing if the robot has hardly moved since the last update. The first scan
+    /// starts the map and counts as an update. Throws MapTooLarge if the maps cannot take the scan; the trajectory then
+    /// ends before this scan, though the particles already have their poses at it and some of their maps contain it.
     std::optional<Update> update(const SensorFrame& frame);
 
-    /// The hypotheses as they are now, after resampling.
+    /// The present hypotheses, after any resampling.
     [[nodiscard]] std::span<const Particle> particles() const { return particles_; }
-    /// The particle of the largest likelihood since the last resampling. Needs an update before it.
+    /// The particle with the largest likelihood since the last resampling. Needs an update before it.
     [[nodiscard]] const Particle& best() const;
-    /// world_from_robot at the latest scan, by the best particle. Needs an update before it.
+    /// world_from_robot at the latest scan, from the best particle. Needs an update before it.
     [[nodiscard]] Pose2 pose() const;
-    /// Of pose() (x, y, theta in the world): that of the last update, and how far the odometry since may be wrong.
+    /// Covariance of pose() (x, y, theta in the world; m^2, m rad, rad^2): that of the last update plus the uncertainty
+    /// of the odometry since. Needs an update before it.
     [[nodiscard]] Eigen::Matrix3d pose_covariance() const;
     /// A pose for every scan so far, from the past of the best particle.
     [[nodiscard]] Trajectory trajectory() const;
 
 private:
-    /// The way since the last update.
+    /// The motion since the last update.
     struct Step {
         Pose2 odometry_motion;
         double duration_s = 0.0;
-        Pose2 expected_motion;  ///< by the odometry model
-        MotionSigmas sigmas;    ///< of the odometry model
-        PosePrior prior;        ///< of a pose sampled about the expected one
+        Pose2 expected_motion;  ///< according to the odometry model
+        MotionSigmas sigmas;    ///< of expected_motion, according to the odometry model
+        PosePrior prior;        ///< of the pose about a sampled prediction
     };
     struct PreparedScan {
         ScanPoints points;
         MatchPoints match_points;
     };
-    /// What each thread needs for itself.
+    /// Working memory of one thread.
     struct Worker {
         ScanMatcher matcher;
         ScanInserter inserter;

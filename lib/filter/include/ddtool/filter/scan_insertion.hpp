@@ -9,17 +9,17 @@
 
 namespace ddtool {
 
-/// Enters scans into grids. Holds buffers only: one a thread, for any number of grids.
+/// Enters scans into grids. An object holds only buffers: each thread needs its own, which serves any number of grids.
 class ScanInserter {
 public:
-    /// pose: world_from_robot.
+    /// pose: world_from_robot. Throws MapTooLarge as OccupancyGrid::reserve() does.
     void insert(OccupancyGrid& grid, const ScanPoints& points, const Pose2& pose);
 
 private:
     void project(const ScanPoints& points, const Pose2& pose, double cell_size_m);
     void add_hits(OccupancyGrid& grid) const;
 
-    /// A wall's cells are kept clear of the free space before it.
+    /// Free space ends this far before a wall, so that the wall's own cells are not lowered.
     static constexpr double free_margin_cells = 0.8;
 
     FreeSpace free_space_{free_margin_cells};

@@ -6,11 +6,12 @@
 
 namespace ddtool {
 
-/// Gives the frames of a log without odometry one made of the scans: each is matched to a map of the last few metres,
-/// starting where the speed of the scan before leads. It knows nothing of the motion where the scans look alike.
+/// Adds an odometry made from the scans to the frames of a log that has none. Each scan is matched to a map of the last
+/// few metres, starting from the pose that the latest speed predicts. Where successive scans look alike, for example
+/// along a bare corridor, it cannot measure the motion.
 class ScanOdometryStream : public SensorStream {
 public:
-    /// settings: of the filter that will take the frames. `source` must outlive this.
+    /// settings: those of the filter that will process the frames. `source` must outlive this object.
     ScanOdometryStream(SensorStream& source, const RbpfSettings& settings);
 
     std::optional<SensorFrame> next() override;
@@ -25,12 +26,12 @@ private:
     ScanMatcher matcher_;
     ScanInserter inserter_;
     OccupancyGrid map_;
-    OccupancyGrid next_map_;  ///< begun later: takes over while it holds enough, so that old drift is forgotten
+    OccupancyGrid next_map_;  ///< started later; replaces map_ after a few metres, so that old drift is forgotten
     Pose2 pose_;              ///< odom_from_robot at the last scan
-    Pose2 motion_;            ///< between the last two scans
-    Pose2 entered_;           ///< pose at the last scan in the maps
+    Pose2 motion_;            ///< motion between the last two scans
+    Pose2 entered_;           ///< odom_from_robot at the last scan that was entered into the maps
     double map_length_m_ = 0.0;
-    std::int64_t step_ns_ = 0;  ///< between the last two scans
+    std::int64_t step_ns_ = 0;  ///< time between the last two scans
     std::int64_t stamp_ns_ = 0;
     bool started_ = false;
 };

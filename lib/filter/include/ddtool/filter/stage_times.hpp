@@ -25,7 +25,7 @@ struct StageTimes {
     }
 };
 
-/// Adds its own lifetime to a stage.
+/// Adds the wall time of its own lifetime to the time of a stage.
 class StageTimer {
 public:
     explicit StageTimer(double& total_s) : total_s_(total_s) {}
@@ -39,7 +39,7 @@ private:
     Clock::time_point start_ = Clock::now();
 };
 
-/// What `work` returns, its wall time added to a stage.
+/// Runs `work`, adds its wall time to `total_s` and returns its result.
 template <typename Work>
 decltype(auto) timed(double& total_s, Work work) {
     const StageTimer timer(total_s);

@@ -12,40 +12,41 @@
 
 namespace ddtool {
 
-/// One particle's match, with all that a second look at it may need.
+/// The match of one particle, with everything that a correction may need.
 struct MatchContext {
-    ScanMatcher& matcher;       ///< the calling thread's own
+    ScanMatcher& matcher;       ///< belongs to the calling thread
     const OccupancyGrid& grid;  ///< the particle's map, without this scan
     const MatchPoints& points;
     Pose2 predicted;  ///< world_from_robot, sampled from the motion model
-    PosePrior prior;  ///< about `predicted`, that the match was made with
-    Pose2 odometry;   ///< world_from_robot, the likeliest by the odometry model
-    /// Of (x, y, theta) in the world: what odometry says of the pose since the scans last told as much.
+    PosePrior prior;  ///< uncertainty about `predicted` that the match was made with
+    Pose2 odometry;   ///< world_from_robot, the most likely pose according to the odometry model
+    /// Information about (x, y, theta) in the world that the odometry gives: of its motion since the last update.
     Eigen::Matrix3d odometry_information;
     Degeneracy degeneracy;  ///< of the whole swarm
 };
 
-/// May replace the pose that scan matching found, knowing how degenerate the swarm is. One object serves all particles
-/// and is called by many threads at once; it holds settings only.
+/// May replace the pose that scan matching found, given how degenerate the swarm is. One object serves all particles
+/// and is called by many threads at once, so it holds only settings.
 class PoseCorrection {
 public:
     virtual ~PoseCorrection() = default;
-    /// The match to go on with: `found` or another, whose pose, score, information and likelihood belong together.
+    /// Returns the match to continue with: `found` or another. Its pose, score, information and likelihood must belong
+    /// together.
     virtual ScanMatch correct(const MatchContext& context, const ScanMatch& found) const = 0;
 };
 
-/// A particle after resampling: a copy of `parent`, standing at `pose`.
+/// A particle after resampling: a copy of the particle with index `parent`, placed at `pose`.
 struct Descendant {
     std::size_t parent = 0;
     Pose2 pose;  ///< world_from_robot
 };
 
-/// Chooses the next generation from poses and normalised weights. Called by one thread at a time; it holds settings
-/// only, and all chance comes from `random`.
+/// Chooses the next generation from poses and normalised weights. It is called by one thread at a time and holds only
+/// settings; all randomness comes from `random`.
 class Resampling {
 public:
     virtual ~Resampling() = default;
-    /// As many descendants as there are particles.
+    /// Returns as many descendants as there are particles.
     virtual std::vector<Descendant> resample(std::span<const SnapshotParticle> particles,
                                              RandomStream& random) const = 0;
 };
@@ -56,12 +57,14 @@ public:
     std::vector<Descendant> resample(std::span<const SnapshotParticle> particles, RandomStream& random) const override;
 };
 
-/// What makes a method of the filter. Empty members mean: never degenerate, keep the match, resample systematically,
-/// take the odometry as it is. Copies share the parts, none of which has a state that changes; the odometry model,
-/// which learns, is made anew for each filter.
+/// The parts that make a method of the filter. Where a member is empty, the swarm never counts as degenerate, the match
+/// is kept, resampling is systematic, or the odometry is taken as it is. Copies share the corrections and the
+/// resampling, which hold only settings. Each copy has its own detector, though the detectors of copies may share a
+/// network (network_detector()). The odometry model, which learns, is made anew for each filter.
 struct FilterStrategies {
     DegeneracyDetector detector;
-    std::vector<std::shared_ptr<const PoseCorrection>> corrections;  ///< each takes what the one before found
+    /// Applied in order, each to the result of the one before.
+    std::vector<std::shared_ptr<const PoseCorrection>> corrections;
     std::shared_ptr<const Resampling> resampling;
     std::function<std::unique_ptr<OdometryModel>()> odometry;
 };

@@ -9,18 +9,19 @@
 
 namespace ddtool {
 
-/// What one update of the filter saw and did. The first update starts the map: its particles all stand where the
-/// odometry does, with equal weights, no motion and degree 0.
+/// What one update of the filter observed and did. The first update starts the map: its particles are all at the
+/// odometry's pose, with equal weights, no motion and degree 0.
 struct Update {
-    /// The swarm after scan matching, as the detector saw it. `matched.update` counts the updates before this one.
+    /// The swarm after scan matching, as the detector received it. `matched.update` is the number of updates before
+    /// this one.
     ParticleSnapshot matched;
     Degeneracy degeneracy;
     /// The same particles after the corrections, before resampling; equal to `matched` where the method has none.
     ParticleSnapshot corrected;
     /// world_from_robot, of the particle with the largest likelihood since the last resampling.
     Pose2 pose;
-    /// Of `pose` (x, y, theta in the world; m^2, m rad, rad^2): how uncertain the particle is of its place in its own
-    /// map, and how far the particles' poses are apart.
+    /// Covariance of `pose` (x, y, theta in the world; m^2, m rad, rad^2): the particle's uncertainty in its own map
+    /// plus the spread of the particles' poses about it.
     Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
     bool resampled = false;
     StageTimes times;  ///< wall time of this update

@@ -15,41 +15,45 @@ namespace ddtool {
 class ScanTruth;
 
 struct DetectionSettings {
-    double covariance_sd_m = 0.1;  ///< threshold of the detector covariance
-    /// Of the gate in-doubt: matching is in doubt where it left this share of the step swarm's predicted spread, or
-    /// more. Elsewhere the detector is not asked and the degree is 0. At 0 matching is always in doubt.
+    double covariance_sd_m = 0.1;  ///< threshold of the detector "covariance", as a standard deviation
+    /// For the gate "in-doubt": matching counts as doubtful if it left at least this share of the spread that was
+    /// predicted for the step. Elsewhere the detector is not run and the degree is 0. With 0, matching always counts as
+    /// doubtful.
     double doubt_share = 0.3;
-    /// Of the gate in-doubt: once the detector has answered, the robot drives this far before it is asked again. The
-    /// degree stays what it was meanwhile.
+    /// For the gate "in-doubt": after the detector has run, the robot drives this far before it runs again. Until then
+    /// the degree stays the same.
     double every_m = 0.3;
 };
 
-/// The detectors by name, and by the ending of their file: rules, the network that is carried inside, networks in
-/// files.
+/// The detectors by name, and for networks in files by the ending of the file. The named ones are rules and the network
+/// that is embedded in the program.
 class DetectorTable {
 public:
     using FileMaker = std::function<DegeneracyDetector(const std::string& file)>;
 
-    /// Those that need no LibTorch: none, always, covariance, step-spread, neff, oracle, native::shipped_model_name,
-    /// and files that end with ".safetensors".
+    /// Has the detectors that need no LibTorch: none, always, covariance, step-spread, neff, oracle,
+    /// native::shipped_model_name, and files that end with ".safetensors".
     DetectorTable();
-    /// Tells the detectors that are made from now on where the truth of their scans will be
-    /// (SensorStream::tell_truth()); `oracle` needs it.
+    /// Gives the detectors made from now on the place where the true values of their scans will be
+    /// (SensorStream::tell_truth()). The detector "oracle" needs it.
     void know(std::shared_ptr<const ScanTruth> truth) { truth_ = std::move(truth); }
-    /// A detector of your own under a name of its own, or in the place of the one that has the name.
+    /// Adds a detector under a name of its own, or replaces the one that has this name. Every make() returns a copy of
+    /// it.
     void add(const std::string& name, DegeneracyDetector detector) {
         makers_[name] = [detector = std::move(detector)](const Ingredients&) { return detector; };
     }
-    /// Makes detectors of files that end so, such as ".pt".
+    /// Adds a maker for detectors from files with this ending, such as ".pt".
     void add_file_kind(const std::string& ending, FileMaker maker) { file_kinds_[ending] = std::move(maker); }
 
-    /// Without the files.
+    /// The names of all detectors except those in files.
     [[nodiscard]] std::vector<std::string> names() const;
-    /// The detector itself, which answers whenever it is called; an empty function for "none". Throws UsageError for a
-    /// name that is none of these.
+    /// Makes a detector without a gate, so that it computes its answer at every call; "none" gives an empty function.
+    /// Throws UsageError for a name that is neither in the table nor that of a file with a known ending, and Error for
+    /// a file that cannot be loaded.
     [[nodiscard]] DegeneracyDetector make(const std::string& name, const DetectionSettings& settings,
                                           const MotionNoise& noise) const;
-    /// Of the network's weights, which decide with the settings what a detector says; empty for a rule.
+    /// Fingerprint of the network's weights, which together with the settings determine the detector's answers; empty
+    /// for a rule.
     [[nodiscard]] std::string model_fingerprint(const std::string& name) const;
 
 private:
@@ -64,14 +68,15 @@ private:
     std::shared_ptr<const ScanTruth> truth_;
 };
 
-/// The gates by name: in-doubt, none.
+/// The names of the gates: in-doubt and none. A gate decides at which updates a detector runs.
 std::vector<std::string> gate_names();
 
-/// The gate of a detector where nobody names one: none for `none`, `always` and `oracle`, which are there to be
-/// compared with and have to answer at every update, in-doubt for all others.
+/// The gate that a detector gets if the settings name none: "none" for the detectors none, always and oracle, which
+/// serve as comparisons and have to run at every update, and "in-doubt" for all others.
 std::string usual_gate(const std::string& detector);
 
-/// The detector behind the gate of that name. An empty detector stays empty. Throws UsageError for an unknown gate.
+/// Puts the detector behind the gate of that name. An empty detector stays empty. Throws UsageError for an unknown
+/// gate.
 DegeneracyDetector gated(const std::string& gate, DegeneracyDetector detector, const DetectionSettings& settings);
 
 }  // namespace ddtool

@@ -9,10 +9,10 @@
 
 namespace ddtool {
 
-/// The scans of a log with what is known of the robot's motion: the log's own odometry, or one made of the scans.
+/// The scans of a log together with an odometry: the log's own, or one made from the scans if the log has none.
 class DrivenScans : public SensorStream {
 public:
-    /// settings: of the filter that will take the frames.
+    /// settings: those of the filter that will process the frames.
     DrivenScans(std::unique_ptr<LogStream> log, const RbpfSettings& settings) : log_(std::move(log)) {
         if (!log_->summary().has_odometry) {
             from_scans_.emplace(*log_, settings);

@@ -15,20 +15,20 @@
 
 namespace ddtool {
 
-/// A method of the filter: the name of its part in each place where methods differ.
+/// A method of the filter: for each place where methods differ, the name of the part that it uses.
 struct MethodParts {
     std::string detector = "none";
-    std::string gate{};                     ///< when the detector is asked: in-doubt, none; empty: its usual_gate()
+    std::string gate{};                     ///< when the detector runs: in-doubt, none; empty: its usual_gate()
     std::string search = "none";            ///< a second search for the match: coarse-fine, correlative
     std::string trust = "none";             ///< match or odometry: lidar-score, information, eigenvalue-gate, odometry
     std::string resampling = "systematic";  ///< or enhanced
     std::string odometry = "as-logged";     ///< or learnt
 };
 
-/// Which method, its parts where they differ from the method's own, and the settings of all parts.
+/// Which method to use, the parts that differ from the method's own, and the settings of all parts.
 struct MethodSettings {
     std::string method = "anti-degeneracy";
-    MethodParts parts{"", "", "", "", "", ""};  ///< empty: as the method has it
+    MethodParts parts{"", "", "", "", "", ""};  ///< an empty name keeps the method's own part
     DetectionSettings detection;
     CoarseFineSettings coarse_fine;
     CorrelativeSearchSettings correlative;
@@ -37,7 +37,7 @@ struct MethodSettings {
     EnhancedResamplingSettings enhanced_resampling;
 };
 
-/// Everything that makes a filter.
+/// All settings of a filter.
 struct FilterSettings {
     RbpfSettings rbpf;
     MethodSettings method;
@@ -46,19 +46,20 @@ struct FilterSettings {
 /// The names of all methods.
 std::vector<std::string> method_names();
 
-/// The names of the parts in each place, but for the detectors', which their table has.
+/// The names of the parts for each place, except for the detectors, whose names DetectorTable has.
 std::vector<std::string> search_names();
 std::vector<std::string> trust_names();
 std::vector<std::string> resampling_names();
 std::vector<std::string> odometry_names();
 
-/// The parts in effect, all of them named: the method's, except where the settings name others. Throws UsageError for
-/// an unknown method.
+/// The parts that are used, all of them named: those of the method, except where the settings name others. Throws
+/// UsageError for an unknown method.
 MethodParts parts_of(const MethodSettings& settings);
 
-/// The filter of a method; one with a single hypothesis has one particle, whatever the settings say. Its maps may take
-/// three quarters of the memory that the machine has free, where the settings set no limit. Throws UsageError
-/// for an unknown name and Error for a detector that cannot be made.
+/// Makes the filter of a method. A method with a single hypothesis gets one particle, whatever the settings say. If the
+/// settings set no memory limit, the maps may take three quarters of the memory that was free on the machine when the
+/// process made its first filter with this default. `threads` must outlive the filter. Throws UsageError for an unknown
+/// name and Error for a detector that cannot be made.
 std::unique_ptr<Rbpf> make_filter(const FilterSettings& settings, const DetectorTable& detectors, ThreadPool& threads);
 
 }  // namespace ddtool

@@ -11,14 +11,16 @@
 
 namespace ddtool {
 
-/// The paper's Gaussian augmentation, eq. (Gaussian): each particle adds G to the 5 x 5 pixels about its own, and a
-/// pixel whose sum exceeds the threshold is marked. Sums are whole numbers, so that the order of the particles does not
-/// matter, and stop growing beyond the threshold, so that no number of particles overflows.
+/// The paper's Gaussian augmentation, eq. (Gaussian): each particle adds G to the 5 x 5 pixels around its own, and a
+/// pixel whose sum exceeds the threshold is marked. Sums are integers, so the order of the particles has no effect, and
+/// they stop growing beyond the threshold, so that no number of particles makes them overflow. An object may be used by
+/// one thread at a time.
 class GaussianAugmentation {
 public:
     GaussianAugmentation(double sigma_px, double threshold, std::size_t size_px);
 
-    /// Sets the marked pixels, row by row from the top, to `marked`; the others stay. The places lie in the image.
+    /// Sets the marked pixels to `marked` and leaves the others as they are. `pixels` has size_px * size_px pixels, row
+    /// by row from the top; all places must lie in the image.
     template <typename Pixel>
     void mark(std::span<const ImagePixel> places, std::span<Pixel> pixels, Pixel marked) {
         for (const ImagePixel& place : places) {
@@ -45,7 +47,7 @@ private:
     static constexpr std::uint32_t threshold_sum = 1U << 20U;
     static constexpr std::uint32_t enough = 2 * threshold_sum;
 
-    /// The sums have a margin about the image, so that every place has all its neighbours.
+    /// The sums include a margin around the image, so that every place has all its neighbours.
     template <typename Visit>
     void for_each_neighbour(const ImagePixel& place, Visit&& visit) {
         const std::size_t stride = size_px_ + 2 * reach_px;

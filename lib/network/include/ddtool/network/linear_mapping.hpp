@@ -19,15 +19,16 @@ struct ImagePixel {
     bool operator==(const ImagePixel&) const = default;
 };
 
-/// The paper's eqs. (resize) and (index) along one dimension: the swarm's extremes are widened, or narrowed, about
-/// their middle to exactly the canvas, and the canvas is cut into pixels of equal size.
+/// The paper's eqs. (resize) and (index) along one dimension: the range between the swarm's extremes is widened or
+/// narrowed about its middle to exactly the canvas, and the canvas is divided into pixels of equal size.
 class AxisMapping {
 public:
-    /// Extremes and canvas in metres. The canvas lies about the middle of the extremes.
+    /// Extremes and canvas are in metres. The canvas is centred on the middle of the extremes.
     AxisMapping(double min_m, double max_m, double canvas_m, std::size_t size_px);
 
-    /// The index of the pixel a coordinate falls in, none where it lies outside of the canvas (or is not finite). A
-    /// coordinate between two pixels belongs to the higher one, the canvas's far edge to the last.
+    /// The index of the pixel that contains a coordinate; nothing if the coordinate lies outside of the canvas or is
+    /// not finite. A coordinate on the border between two pixels belongs to the higher one, and the far edge of the
+    /// canvas to the last.
     [[nodiscard]] std::optional<std::size_t> pixel(double coordinate_m) const;
 
 private:
@@ -37,15 +38,18 @@ private:
     std::size_t size_px_;
 };
 
-/// The x and y that the settings' swarm gives each particle; those with one that is not finite are left out.
+/// Fills `points` with the x and y of each particle in the swarm that the settings choose, in metres, or in predicted
+/// standard deviations for the response. Particles with a value that is not finite are left out.
 void coordinates(std::span<const SnapshotParticle> particles, const ImageSettings& settings,
                  std::vector<Point2>& points);
 
-/// The side of the canvas on which the settings draw this swarm, metres; predicted spreads for the response.
+/// The side of the canvas on which the settings draw this swarm, in metres, or in predicted standard deviations for the
+/// response.
 double canvas_side_m(std::span<const SnapshotParticle> particles, const ImageSettings& settings);
 
-/// The pixels of the points that lie on the canvas: x runs to the right, y upwards. Without linear mapping the canvas
-/// is one metre a pixel about the origin, so that a coordinate is its pixel's index, counted from the image's middle.
+/// Fills `places` with the pixels of the points that lie on the canvas: x runs to the right, y upwards. Without linear
+/// mapping, a pixel is one metre wide and the canvas is centred on the origin, so that a coordinate is the index of its
+/// pixel, counted from the middle of the image.
 void map_to_pixels(std::span<const Point2> points, double canvas_m, const ImageSettings& settings,
                    std::vector<ImagePixel>& places);
 

@@ -9,26 +9,26 @@
 
 namespace ddtool::native {
 
-/// What must be known to use a trained network, and where it comes from. It travels inside checkpoints and exported
-/// models as JSON.
+/// What must be known to use a trained network, and its origin. It is stored as JSON inside checkpoints and exported
+/// models.
 struct ModelDescription {
     std::string network;             ///< row of the table of networks
-    std::string loss;                ///< cross-entropy: the two values sum to one (softmax); bce: each by itself
-    ImageSettings image;             ///< images of any other kind are not what it knows
-    std::string label = "fisher";    ///< dataset::label_rule_names
-    std::string split = "held_out";  ///< dataset::split_names: whose part train it saw
+    std::string loss;                ///< cross-entropy: the two values sum to one (softmax); bce: each is independent
+    ImageSettings image;             ///< how the images it was trained on are made
+    std::string label = "fisher";    ///< one of dataset::label_rule_names
+    std::string split = "held_out";  ///< one of dataset::split_names; it was trained on the part train
     std::string dataset;             ///< fingerprint of the data set's manifest
     std::uint64_t seed = 0;
     double temperature = 1.0;  ///< the logits are divided by it, so that the degree is a probability
-    Json metrics;              ///< on the part validation, of the epoch that was kept
+    Json metrics;              ///< of the epoch that was kept, on the part validation
 };
 DDTOOL_JSON_STRUCT(ModelDescription, network, loss, image, label, split, dataset, seed, temperature, metrics)
 
-/// The description that travels as this text. Throws Error naming the file for another text, and for values that no
-/// network can have.
+/// Reads the description from its JSON text. Throws Error naming the file if the text is not such JSON or has values
+/// that no network can have.
 ModelDescription parse_description(const std::string& text, const std::string& file);
 
-/// The two classes in the order of the network's outputs.
+/// Index of the class "degenerate" among the two outputs of the network.
 inline constexpr std::size_t degenerate_output = 1;
 
 }  // namespace ddtool::native

@@ -7,7 +7,8 @@
 
 namespace ddtool::native {
 
-/// A network that looks at the filter's swarm, drawn as the images it was trained on. Copies share the network.
+/// A detector that draws the filter's swarm in the way of the network's training images and runs the network on it.
+/// Copies share the network, so use them all from one thread at a time.
 DegeneracyDetector network_detector(std::shared_ptr<DegreeModel> model);
 
 }  // namespace ddtool::native

@@ -13,19 +13,20 @@
 
 namespace ddtool {
 
-/// Draws swarms as images: the one way from particles to a network's input, in training and in SLAM (docs/imaging.md).
-/// Keeps its working memory, so that after the first call nothing is allocated; one renderer a thread.
+/// Draws swarms as images. Training and SLAM both use it, so that networks always get the same input (docs/imaging.md).
+/// It keeps its working memory, so that after the first call nothing is allocated; each thread needs its own renderer.
 class ParticleRenderer {
 public:
-    /// Throws UsageError naming the setting for a value that makes no sense.
+    /// Throws UsageError naming the setting for an invalid value.
     explicit ParticleRenderer(const ImageSettings& settings);
 
     [[nodiscard]] const ImageSettings& settings() const { return settings_; }
 
-    /// Particles that are not finite or lie outside of the canvas leave no trace; none give an empty image.
+    /// Particles that are not finite or lie outside of the canvas are not drawn. Without any particle the image is
+    /// empty.
     void render(std::span<const SnapshotParticle> particles, ParticleImage& image);
     /// The same into memory of the caller, such as one image of a batch: size_px * size_px pixels, row by row from the
-    /// top. Bytes are ParticleImage's, floats 0 or 1. Throws Error for memory of another size.
+    /// top. Bytes have the values of ParticleImage, floats are 0 or 1. Throws Error for memory of another size.
     void render(std::span<const SnapshotParticle> particles, std::span<std::uint8_t> pixels);
     void render(std::span<const SnapshotParticle> particles, std::span<float> pixels);
 

@@ -7,13 +7,14 @@
 
 namespace ddtool::native {
 
-/// The name of the network that every program of ours carries inside: data/models/ddmodel-lite.safetensors, so that
-/// the filter needs no file beside it.
+/// The name of the network that is embedded in every program of the project (data/models/ddmodel-lite.safetensors), so
+/// that the filter needs no separate model file.
 inline constexpr const char* shipped_model_name = "ddmodel-lite";
 
+/// A new instance of that network.
 std::unique_ptr<DegreeModel> shipped_model();
 
-/// Of its bytes.
+/// Fingerprint of its bytes.
 std::string shipped_model_fingerprint();
 
 }  // namespace ddtool::native
