@@ -30,9 +30,3 @@ function(ddtool_compile_once TARGET)
 endfunction()
 
 ddtool_precompiled_headers(ddtool_headers)
-
-# Most modules and all commands take longer to compile than they ever run: they compute little and call what does. They
-# are optimised less, which takes about half the time. Results do not depend on it: without -ffast-math and contraction
-# the order of floating-point operations is that of the source.
-set(ddtool_cold_options $<$<CONFIG:Release>:-O1>)
-ddtool_precompiled_headers(ddtool_cold_headers OPTIONS ${ddtool_cold_options})
