@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "filter/squared.hpp"
+#include "base/squared.hpp"
 
 namespace ddtool {
 namespace {

@@ -71,7 +71,7 @@ std::optional<Update> Rbpf::update(const SensorFrame& frame) {
         update.matched = snapshot(frame, odometry_motion);
         update.degeneracy = timed(times.detect_s, [&] { return detect(update.matched); });
         timed(times.correct_s, [&] { correct(scan, step, update.degeneracy); });
-        update.corrected = snapshot(frame, odometry_motion);
+        update.corrected = strategies_.corrections.empty() ? update.matched : snapshot(frame, odometry_motion);
         learn(step);
     }
     update.pose = best().pose;

@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "base/lanes.hpp"
+#include "base/squared.hpp"
 #include "filter/beam_sums.hpp"
 #include "filter/pose_covariance.hpp"
-#include "filter/squared.hpp"
 
 namespace ddtool {
 namespace {

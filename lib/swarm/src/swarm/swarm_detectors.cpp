@@ -4,17 +4,13 @@
 #include <cmath>
 #include <utility>
 
+#include "base/squared.hpp"
 #include "ddtool/base/error.hpp"
 #include "ddtool/robot/scan_truth.hpp"
 #include "swarm/physical_degeneracy.hpp"
 #include "swarm/rules.hpp"
 
 namespace ddtool {
-namespace {
-
-double squared(double value) { return value * value; }
-
-}  // namespace
 
 DegeneracyDetector covariance_detector(double threshold_sd_m) {
     return [threshold_sd_m](const ParticleSnapshot& swarm) -> Degeneracy {

@@ -4,7 +4,9 @@
 #include <cmath>
 #include <utility>
 
+#include "base/squared.hpp"
 #include "ddtool/base/error.hpp"
+#include "filter/pose_covariance.hpp"
 
 namespace ddtool::compare {
 namespace {
@@ -14,15 +16,7 @@ constexpr std::uint64_t measurement_draw = 31;
 /// Keeps covariances positive where nothing moves; far below any error of interest.
 constexpr double least_variance = 1e-10;
 
-double squared(double value) { return value * value; }
-
 Eigen::Vector3d vector_of(const Pose2& pose) { return {pose.x_m, pose.y_m, pose.theta_rad}; }
-
-Eigen::Matrix3d rotation_of(double theta_rad) {
-    Eigen::Matrix3d world_from_robot = Eigen::Matrix3d::Identity();
-    world_from_robot.topLeftCorner<2, 2>() = Eigen::Rotation2Dd(theta_rad).toRotationMatrix();
-    return world_from_robot;
-}
 
 /// What the odometry adds to the variance along, across and of the heading; slips are exponential, so that their mean
 /// square is twice their squared mean.
@@ -69,7 +63,7 @@ void KnownMapEstimator::process(const SensorFrame& frame) {
 
 void KnownMapEstimator::predict(const Pose2& motion, double duration_s, Step& step) const {
     const Step& before = steps_.back();
-    const Eigen::Matrix3d world_from_robot = rotation_of(before.filtered(2));
+    const Eigen::Matrix3d world_from_robot = turned_about_z(before.filtered(2));
     const Eigen::Vector3d way = world_from_robot * Eigen::Vector3d(motion.x_m, motion.y_m, 0.0);
     const double scale = before.filtered(3);
     step.predicted = before.filtered;
@@ -85,7 +79,7 @@ void KnownMapEstimator::predict(const Pose2& motion, double duration_s, Step& st
 }
 
 void KnownMapEstimator::correct(const Pose2& true_pose, const Eigen::Matrix3d& information_in_robot, Step& step) {
-    const Eigen::Matrix3d world_from_robot = rotation_of(true_pose.theta_rad);
+    const Eigen::Matrix3d world_from_robot = turned_about_z(true_pose.theta_rad);
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(world_from_robot * information_in_robot *
                                                               world_from_robot.transpose());
     const Eigen::Vector3d values = axes.eigenvalues().cwiseMax(0.0);
