@@ -4,7 +4,7 @@
 #include "network/affine_layer.hpp"
 #include "network/weight_blocks.hpp"
 
-namespace ddtool::native {
+namespace ddtool::network {
 namespace {
 
 /// A tile gives 4x4 outputs, and sees 6x6 inputs.
@@ -183,4 +183,4 @@ const float* WinogradLayer::run(const float* in, const float* skip) {
     return out_.data();
 }
 
-}  // namespace ddtool::native
+}  // namespace ddtool::network

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
-namespace ddtool::plot {
+namespace ddtool::report {
 namespace {
 
 constexpr int enlarged = 2;       ///< drawn this many times as large as the page
@@ -132,4 +132,4 @@ cv::Mat3b Canvas::page() const {
     return reduced;
 }
 
-}  // namespace ddtool::plot
+}  // namespace ddtool::report

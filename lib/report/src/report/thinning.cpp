@@ -6,7 +6,7 @@
 #include <numeric>
 #include <set>
 
-namespace ddtool::html {
+namespace ddtool::report {
 namespace {
 
 /// The row of [begin, end) that comes first by `before`, among those with a number; `begin` where none has one.
@@ -45,4 +45,4 @@ std::vector<std::size_t> telling_rows(std::span<const std::vector<double>> lines
     return {kept.begin(), kept.end()};
 }
 
-}  // namespace ddtool::html
+}  // namespace ddtool::report

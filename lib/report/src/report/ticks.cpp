@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
-namespace ddtool::plot {
+namespace ddtool::report {
 namespace {
 
 /// The smallest of 1, 2, 5, 10 times a power of ten that is not below the distance.
@@ -43,4 +43,4 @@ std::string tick_text(double place, int decimals) {
     return text.data();
 }
 
-}  // namespace ddtool::plot
+}  // namespace ddtool::report

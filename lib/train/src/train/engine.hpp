@@ -52,8 +52,8 @@ public:
     /// plain_weights_beside(out) (docs/formats/model.md).
     virtual void export_model(const std::filesystem::path& checkpoint, const std::filesystem::path& out) const = 0;
     /// An exported model, or a checkpoint. Throws Error naming the file and what is wrong with it.
-    [[nodiscard]] virtual std::unique_ptr<native::DegreeModel> load(const std::filesystem::path& file,
-                                                                    const RunOptions& options) const = 0;
+    [[nodiscard]] virtual std::unique_ptr<DegreeModel> load(const std::filesystem::path& file,
+                                                            const RunOptions& options) const = 0;
 };
 
 /// Where the engine comes from; main says so. It may start another program in the place of this one.

@@ -12,7 +12,7 @@
 namespace ddtool::ablation::test {
 
 /// Not a network: the share of marked pixels, above or below what its settings' seed says.
-class BrightnessModel : public native::DegreeModel {
+class BrightnessModel : public DegreeModel {
 public:
     explicit BrightnessModel(const train::TrainSettings& settings) {
         description_.network = settings.model;
@@ -22,7 +22,7 @@ public:
         description_.split = settings.split;
         description_.seed = settings.seed;
     }
-    [[nodiscard]] const native::ModelDescription& description() const override { return description_; }
+    [[nodiscard]] const ModelDescription& description() const override { return description_; }
     void run(std::span<const float> images, std::span<double> degrees) override {
         seen.assign(images.begin(), images.end());
         std::fill(degrees.begin(), degrees.end(), description_.seed == 1 ? 0.9 : 0.1);
@@ -33,7 +33,7 @@ public:
     std::size_t runs = 0;
 
 private:
-    native::ModelDescription description_;
+    ModelDescription description_;
 };
 
 /// "Trains" by writing the settings down, which is all that its models need.
@@ -54,8 +54,8 @@ public:
     void export_model(const std::filesystem::path& checkpoint, const std::filesystem::path& out) const override {
         std::filesystem::copy_file(checkpoint, out, std::filesystem::copy_options::overwrite_existing);
     }
-    [[nodiscard]] std::unique_ptr<native::DegreeModel> load(const std::filesystem::path& file,
-                                                            const train::RunOptions& options) const override {
+    [[nodiscard]] std::unique_ptr<DegreeModel> load(const std::filesystem::path& file,
+                                                    const train::RunOptions& options) const override {
         if (options.device != "cpu") {
             throw Error("there is no " + options.device);
         }

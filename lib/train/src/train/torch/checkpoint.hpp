@@ -17,11 +17,9 @@ namespace ddtool::train_torch {
 /// Writes network and description, and with `state` and `optimizer` all that going on needs (weights, optimiser,
 /// random state, place in the data), as LibTorch's archive. The old file stays until the new one is whole. Throws Error
 /// naming the file.
-void write_checkpoint(const std::filesystem::path& path, const Network& network,
-                      const native::ModelDescription& description);
-void write_checkpoint(const std::filesystem::path& path, const Network& network,
-                      const native::ModelDescription& description, const torch::optim::Optimizer& optimizer,
-                      const train::TrainingState& state);
+void write_checkpoint(const std::filesystem::path& path, const Network& network, const ModelDescription& description);
+void write_checkpoint(const std::filesystem::path& path, const Network& network, const ModelDescription& description,
+                      const torch::optim::Optimizer& optimizer, const train::TrainingState& state);
 
 /// A checkpoint that was opened. Every member throws Error naming the file where it is damaged.
 class Checkpoint {
@@ -29,7 +27,7 @@ public:
     /// Its tensors go to the device, and so does what is restored from it.
     explicit Checkpoint(const std::filesystem::path& path, torch::Device device = torch::kCPU);
 
-    [[nodiscard]] native::ModelDescription description();
+    [[nodiscard]] ModelDescription description();
     /// The network in float32.
     [[nodiscard]] std::shared_ptr<Network> network();
     /// Where the training stood. Throws Error for a checkpoint without it, such as the best one.

@@ -29,7 +29,7 @@ private:
 /// the batch of the trace into the exported model.
 class EncoderLayer : public torch::nn::Module {
 public:
-    explicit EncoderLayer(const native::EncoderRow& row);
+    explicit EncoderLayer(const network::EncoderRow& row);
     /// x: [n, tokens, width], float32, which it also returns; under autocast only the products are rounded.
     torch::Tensor forward(const torch::Tensor& x);
 
@@ -48,7 +48,7 @@ private:
 /// The networks of network/dd_tables.hpp.
 class DDModel : public Network {
 public:
-    DDModel(const native::DDModelTable& table, std::int64_t size_px);
+    DDModel(const network::DDModelTable& table, std::int64_t size_px);
     torch::Tensor forward(const torch::Tensor& images) override;
 
     /// The backbone: images to maps [n, channels, side, side].
