@@ -26,7 +26,7 @@ struct Mix {
 };
 
 /// Throws UsageError naming `where` and the key for a list of something else.
-Mix mix_from_json(const Json& mix, const std::string& where);
+Mix mix_from_json(const Json& json, const std::string& where);
 
 /// What one run drew.
 struct Variant {

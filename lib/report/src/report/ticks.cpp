@@ -26,8 +26,11 @@ Ticks nice_ticks(double low, double high, std::size_t wanted) {
     Ticks ticks;
     ticks.decimals = std::max(0, static_cast<int>(-std::floor(std::log10(distance) + 1e-9)));
     const double tolerance = 1e-9;
+    const double first = std::ceil(low / distance - tolerance);
     const double last = std::floor(high / distance + tolerance);
-    for (double multiple = std::ceil(low / distance - tolerance); multiple <= last; multiple += 1.0) {
+    const auto count = static_cast<std::size_t>(std::max(0.0, last - first + 1.0));
+    for (std::size_t index = 0; index < count; ++index) {
+        const double multiple = first + static_cast<double>(index);
         ticks.places.push_back(multiple == 0.0 ? 0.0 : multiple * distance);  // no "-0"
     }
     return ticks;
