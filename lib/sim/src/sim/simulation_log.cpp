@@ -57,7 +57,7 @@ private:
         }
     }
 
-    /// With the mean velocity since the message before.
+    /// The velocity in the message is the mean velocity since the previous message.
     [[nodiscard]] ros::Odometry odometry_message(std::size_t index) const {
         const StampedPose& now = odometry_[index];
         ros::Odometry message = ros::odometry_message(now.stamp_ns, odom_frame, robot_frame, now.pose);
