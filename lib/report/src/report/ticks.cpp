@@ -8,7 +8,7 @@
 namespace ddtool::plot {
 namespace {
 
-/// The smallest of 1, 2, 5, 10 times a power of ten that is not below the distance.
+/// The smallest number of the form 1, 2, 5 or 10 times a power of ten that is not below the distance.
 double nice_distance(double distance) {
     const double power = std::pow(10.0, std::floor(std::log10(distance)));
     for (const double digit : {1.0, 2.0, 5.0}) {
@@ -28,7 +28,7 @@ Ticks nice_ticks(double low, double high, std::size_t wanted) {
     const double tolerance = 1e-9;
     const double last = std::floor(high / distance + tolerance);
     for (double multiple = std::ceil(low / distance - tolerance); multiple <= last; multiple += 1.0) {
-        ticks.places.push_back(multiple == 0.0 ? 0.0 : multiple * distance);  // no "-0"
+        ticks.places.push_back(multiple == 0.0 ? 0.0 : multiple * distance);  // avoids the label "-0"
     }
     return ticks;
 }
