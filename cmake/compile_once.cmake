@@ -1,13 +1,14 @@
-# Most of the time in which a source of a few lines is compiled goes into headers of others. Two things save it.
+# A source of a few lines spends most of its compile time in the headers that it includes. Two techniques save it.
 #
-# Precompiled headers: what is listed here is compiled once and stands before every source. Sources include what they use
-# all the same; scripts/check-style tidy reads them without.
+# Precompiled headers: the headers listed here are compiled once and included before every source. Sources still include
+# all that they use; scripts/check-style tidy checks this by compiling them without precompiled headers.
 #
-# Unity builds (DDTOOL_UNITY): the sources of a target are compiled a dozen at a time, each dozen as if it were one file.
-# Hence names in the unnamed namespaces of one target must differ, also those of functions whose parameters do.
+# Unity builds (DDTOOL_UNITY): twelve sources of a target at a time are compiled as if they were one file. Therefore the
+# names in the unnamed namespaces of one target must all differ; even functions with different parameters must not share
+# one.
 
-# ddtool_precompiled_headers(NAME OPTIONS option... HEADERS header... USES target...): precompiled headers that all
-# targets compiled with these options may share.
+# ddtool_precompiled_headers(NAME OPTIONS option... HEADERS header... USES target...): makes precompiled headers that
+# all targets compiled with these options can share.
 function(ddtool_precompiled_headers NAME)
   cmake_parse_arguments(SET "" "" "OPTIONS;HEADERS;USES" ${ARGN})
   set(nothing ${CMAKE_CURRENT_BINARY_DIR}/${NAME}.cpp)
@@ -21,7 +22,8 @@ function(ddtool_precompiled_headers NAME)
     <Eigen/Dense> <nlohmann/json.hpp> ${SET_HEADERS})
 endfunction()
 
-# ddtool_compile_once(TARGET [HEADERS]): with the precompiled headers of that name, or without any.
+# ddtool_compile_once(TARGET [HEADERS]): compiles the target in unity builds, with the precompiled headers of that name
+# if one is given.
 function(ddtool_compile_once TARGET)
   set_target_properties(${TARGET} PROPERTIES UNITY_BUILD ${DDTOOL_UNITY} UNITY_BUILD_BATCH_SIZE 12)
   if(ARGN)

@@ -1,6 +1,6 @@
-# The libraries opencv_core and opencv_imgproc, and OpenCV_INCLUDE_DIRS. Not by find_package: Debian's OpenCVConfig.cmake
-# is in libopencv-dev, which needs all of OpenCV, VTK, GDAL and FFmpeg. Not imgcodecs: Debian's brings GDAL and 50 MB of
-# memory with it; PNG files are written by system/png_file.hpp.
+# Finds the libraries opencv_core and opencv_imgproc, and sets OpenCV_INCLUDE_DIRS. find_package(OpenCV) is not used:
+# Debian's OpenCVConfig.cmake is in libopencv-dev, which depends on all of OpenCV, VTK, GDAL and FFmpeg. imgcodecs is
+# not used either, because Debian's loads GDAL and so takes 50 MB of memory; system/png_file.hpp writes the PNG files.
 find_path(OpenCV_INCLUDE_DIRS opencv2/core.hpp PATH_SUFFIXES opencv4 REQUIRED)
 foreach(part core imgproc)
   find_library(OpenCV_${part} opencv_${part} REQUIRED)

@@ -1,5 +1,6 @@
-// The shipped network on the swarm of one's own particle filter: once held in place by matching, once spread as
-// odometry predicted.
+// Asks the shipped network about the swarm of one's own particle filter. In the first swarm, matching has moved all
+// particles to one place (well constrained); in the second, they are still as spread as odometry predicted
+// (degenerate).
 #include <iostream>
 
 #include "ddtool/network/network_detector.hpp"

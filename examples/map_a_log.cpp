@@ -1,4 +1,5 @@
-// map_a_log LOG: pose and degree of degeneracy as the filter goes over a log of any kind, then the map's extent.
+// map_a_log LOG: prints the pose and the degree of degeneracy while the filter reads a log of any kind, and then the
+// extent of the map.
 #include <iostream>
 
 #include "ddtool/methods/driven_scans.hpp"

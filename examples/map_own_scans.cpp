@@ -1,4 +1,4 @@
-// Scans and odometry from one's own driver: here a robot that rolls along a room of 8 x 4 m.
+// Feeds the filter with scans and odometry from one's own driver, here of a robot that rolls along a room of 8 x 4 m.
 #include <algorithm>
 #include <cmath>
 #include <iostream>
@@ -6,7 +6,7 @@
 
 #include "ddtool/methods/method.hpp"
 
-/// Distance from (x, 0) to the walls, along an angle.
+/// The distance from (x, 0) to the walls of the room, in the direction of the angle.
 static float range_m(double x, double angle_rad) {
     const double c = std::cos(angle_rad);
     const double s = std::sin(angle_rad);
@@ -28,8 +28,8 @@ int main() {
         for (std::size_t beam = 0; beam < 360; ++beam) {
             frame.scan.ranges_m.push_back(range_m(0.1 * i, frame.scan.angle_rad(beam)));
         }
-        ddtool::normalise_ranges(frame.scan);             // zeros, NaN and what is too far, as ROS writes them
-        if (const auto update = filter->update(frame)) {  // empty where the robot has hardly moved
+        ddtool::normalise_ranges(frame.scan);             // marks zeros, NaN and ranges that are too large as ROS does
+        if (const auto update = filter->update(frame)) {  // empty if the robot has hardly moved
             degree = update->degeneracy.degree;
         }
     }

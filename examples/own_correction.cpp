@@ -1,5 +1,6 @@
-// A correction of one's own: where the swarm is degenerate, each particle's match is moved half the way to where the
-// odometry would have it. It is called for all particles, by many threads at once, so it holds settings only.
+// A correction of one's own: where the swarm is degenerate, each particle's match is moved half the way to the pose
+// that the odometry predicts. The filter calls it for all particles, from many threads at once, so the object holds
+// settings only.
 #include <cmath>
 #include <iostream>
 #include <memory>
@@ -13,7 +14,7 @@ public:
         if (context.degeneracy.degree < 0.5) {
             return found;
         }
-        // Score, information and likelihood belong to the pose, so they are those of the new one.
+        // Score, information and likelihood depend on the pose, so they are computed anew.
         const ddtool::Pose2 half_way = ddtool::interpolate(found.pose, context.odometry, 0.5);
         return context.matcher.evaluate(context.grid, context.points, half_way);
     }
@@ -26,7 +27,8 @@ int main() {
     ddtool::ThreadPool threads;
     ddtool::Rbpf filter({}, threads, strategies);
     double corrected_m = 0.0;
-    for (int i = 0; i < 20; ++i) {  // along a corridor of two walls, on wheels that report 0.11 m for 0.10 m
+    // a corridor of two walls; the odometry reports 0.11 m per step, while the scans of a corridor show no motion
+    for (int i = 0; i < 20; ++i) {
         ddtool::SensorFrame frame;
         frame.odom_from_robot = {0.11 * i, 0.0, 0.0};
         frame.scan = {.stamp_ns = i * 100'000'000LL,

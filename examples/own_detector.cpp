@@ -1,5 +1,6 @@
-// A detector of one's own under a name of its own: the degree is the share of the particles' spread along the way that
-// matching has left. Then the same log as the filter sees it with a detector that always answers 0.5.
+// A detector of one's own with its own name. Its degree is the share of the particles' predicted spread along the
+// direction of travel that is left after matching. A second detector, which always answers 0.5, then judges the same
+// log.
 #include <algorithm>
 #include <cmath>
 #include <iostream>
@@ -8,7 +9,7 @@
 #include "ddtool/methods/driven_scans.hpp"
 #include "ddtool/methods/method.hpp"
 
-/// Root of the mean square of the motions' deviations from their mean, along the robot's x axis.
+/// The standard deviation of the motions along the robot's x axis, in metres.
 static double spread_along_m(const ddtool::ParticleSnapshot& swarm, ddtool::Pose2 ddtool::SnapshotParticle::*motion) {
     double sum = 0.0;
     double squares = 0.0;
@@ -34,7 +35,7 @@ static double mean_degree(const std::string& log, const std::string& detector) {
     detectors.add("half", [](const ddtool::ParticleSnapshot& /*swarm*/) { return ddtool::Degeneracy{0.5}; });
     ddtool::FilterSettings settings;
     settings.method.parts.detector = detector;
-    settings.method.parts.gate = "none";  // asked at every update, not only where matching is in doubt
+    settings.method.parts.gate = "none";  // asks the detector at every update, not only where matching is in doubt
     ddtool::ThreadPool threads;
     const auto filter = ddtool::make_filter(settings, detectors, threads);
     const auto report = [](const ddtool::LogProblem& problem) { std::cerr << problem.what << '\n'; };

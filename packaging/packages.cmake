@@ -1,4 +1,4 @@
-# Debian packages, one for each component: ddtool; ddtool-torch, with LibTorch's 300 MB; libddtool-dev.
+# Makes one Debian package for each component: ddtool, ddtool-torch (which needs LibTorch's 300 MB), and libddtool-dev.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME ddtool)
 set(CPACK_PACKAGE_CONTACT "ddtool developers <ddtool@users.noreply.github.com>")

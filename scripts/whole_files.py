@@ -1,4 +1,4 @@
-"""Whether files that ddtool writes are whole, told by their formats alone."""
+"""Checks whether files that ddtool writes are complete, by their formats only."""
 import ast
 import json
 import math
@@ -30,7 +30,7 @@ def _safetensors(content):
 
 
 def _events(content):
-    """TFRecord: length, its checksum, the bytes, theirs."""
+    """Each TFRecord consists of the length, its checksum, the bytes, and their checksum."""
     at = 0
     while at + 8 <= len(content):
         at += 16 + struct.unpack_from("<Q", content, at)[0]
@@ -58,7 +58,7 @@ def _whole(path):
 
 
 def not_whole(folder):
-    """The names of files under a folder that are not whole, parts of what a killed program was writing apart."""
+    """The names of the incomplete files in a folder. Files *.part, which a killed program leaves behind, do not count."""
     broken = []
     for path in sorted(path for path in folder.rglob("*") if path.is_file() and path.suffix != ".part"):
         try:

@@ -28,7 +28,7 @@ struct BuildRequest {
     bool as_json = false;
 };
 
-/// Whether all runs were made and nothing in their logs was skipped; says what was.
+/// Returns whether all runs were made and nothing in their logs was skipped. Otherwise it prints what is missing.
 bool all_runs_made(const std::vector<RunResult>& results) {
     const auto failed =
         std::count_if(results.begin(), results.end(), [](const RunResult& result) { return !result.failure.empty(); });
@@ -63,7 +63,8 @@ std::vector<RunResult> runs_of(const BuildRequest& request, const dataset::RunPl
 ExitCode build_dataset(const BuildRequest& request, const Json& settings) {
     const Clock::time_point start = Clock::now();
     const auto elapsed = [&] { return format_duration(std::chrono::duration<double>(Clock::now() - start).count()); };
-    (void)dataset::assembly_from_json(settings);  // a value that makes no sense shows now, not after all runs
+    // Checks the settings now, so that a mistake is not found only after all runs have been made.
+    (void)dataset::assembly_from_json(settings);
     const dataset::RunPlan plan = dataset::plan_runs(settings);
     const std::vector<RunResult> results = runs_of(request, plan);
     if (!request.shard.empty()) {

@@ -12,46 +12,50 @@
 
 namespace ddtool {
 
-/// The setting that an option is short for: the option is --set PATH=VALUE.
+/// The setting that an option stands for: the option is short for --set PATH=VALUE.
 struct SettingPath {
-    std::string path;  ///< keys with dots between them; Command::settings must have it
+    std::string path;  ///< keys joined by dots; Command::settings must contain it
 };
 
-/// Where the value of an option goes: to a setting, or to a variable, which holds the default until then. A bool, and a
-/// setting that is one, make a flag; the setting's has a twin, --no-NAME. A list takes one value or several.
+/// Where the value of an option goes: to a setting, or to a variable, whose value before parsing is the default. A bool
+/// variable makes the option a flag, and so does a setting of type bool, which also gets the opposite flag --no-NAME. A
+/// vector takes one value or several.
 using OptionValue =
     std::variant<SettingPath, bool*, std::string*, std::vector<std::string>*, std::size_t*, std::uint16_t*, double*>;
 
 enum class Presence { optional, required };
 
-/// One option of a command. Its default is shown by --help.
+/// One option of a command. --help shows its default.
 struct Option {
-    std::string name;  ///< "--out"; without dashes an argument that goes by its place
+    std::string name;  ///< such as "--out"; without dashes it is a positional argument
     OptionValue value;
     std::string help;
-    std::string type = {};  ///< of the value, for --help and completion (completion.hpp); empty: that of the variable
+    /// the type of the value in --help, from which completion follows (completion_command.cpp); empty for the
+    /// variable's type
+    std::string type = {};
     Presence presence = Presence::optional;
-    std::string alone = {};     ///< the value where the option is given without one; empty: it needs one
-    std::string needs = {};     ///< an option above this one, without which this one makes no sense
-    std::string excludes = {};  ///< an option above this one, beside which this one makes no sense
-    bool* given = nullptr;      ///< becomes true where the option is given
+    /// the value if the option is given without one; if this is empty, the option requires a value
+    std::string alone = {};
+    std::string needs = {};     ///< an option declared before this one, which must be given, too
+    std::string excludes = {};  ///< an option declared before this one, which must not be given as well
+    bool* given = nullptr;      ///< set to true if the option is given
 };
 
-/// One sub-command of ddtool: a row of the table in commands.hpp. What every command takes (--config, --set) is not
-/// among its options.
+/// One sub-command of ddtool: a row of the table in commands.hpp. The options that every command with settings takes
+/// (--config, --set) are not listed here.
 struct Command {
     std::string name;
     std::string summary;
     std::string example;
-    Json settings = Json::object();  ///< every setting it knows, with its default
+    Json settings = Json::object();  ///< every setting of the command, with its default
     std::vector<Option> options;
-    /// Gets the settings after --config, --set and the options that stand for some.
+    /// Called with the settings that result from --config, --set and the options that stand for settings.
     std::function<ExitCode(const Json& settings)> run;
 };
 
 using CommandTable = std::vector<Command>;
 
-/// The type of an option whose value is one of these.
+/// The type text of an option whose value must be one of these words.
 std::string choices(const std::vector<std::string>& words);
 
 }  // namespace ddtool

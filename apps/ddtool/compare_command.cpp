@@ -23,7 +23,7 @@ struct CompareRequest {
     bool as_json = false;
 };
 
-/// Results of another build may differ from what this one would compute.
+/// Warns of stored results that another build has computed, because they may differ from what this build would compute.
 void warn_of_other_builds(const std::vector<compare::CellResult>& results) {
     const auto others = std::count_if(results.begin(), results.end(), [](const compare::CellResult& result) {
         return result.failure.empty() && result.program != program_version();
@@ -34,7 +34,7 @@ void warn_of_other_builds(const std::vector<compare::CellResult>& results) {
     }
 }
 
-/// Whether all runs were scored and nothing in their logs was skipped; says what was.
+/// Returns whether all runs were scored and nothing in their logs was skipped. Otherwise it prints what is missing.
 bool all_runs_scored(const std::vector<compare::CellResult>& results) {
     const auto failed = std::count_if(results.begin(), results.end(),
                                       [](const compare::CellResult& result) { return !result.failure.empty(); });

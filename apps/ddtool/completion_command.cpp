@@ -5,8 +5,9 @@
 #include "commands.hpp"
 #include "program.hpp"
 
-// Completion of commands, options and values, as a script for bash or zsh (which runs bash's). Values follow from an
-// option's type in --help: a|b|c are choices, FILE and DIR are names of files and folders.
+// Prints a script for bash or zsh that completes commands, options and values (zsh runs the script for bash). How a
+// value is completed follows from the option's type in --help: a|b|c are choices, FILE and DIR are names of files and
+// folders.
 
 namespace ddtool {
 namespace {
@@ -19,7 +20,7 @@ std::string dashed(const OptionText& option) {
     return names;
 }
 
-/// The shell commands that make COMPREPLY of a value of this type, "FILE.tum" or "none|first|se2".
+/// The shell commands that fill COMPREPLY for a value of this type, such as "FILE.tum" or "none|first|se2".
 std::string reply(const std::string& type) {
     std::istringstream parts(type);
     std::string choices;
@@ -34,7 +35,7 @@ std::string reply(const std::string& type) {
         }
     }
     if (!files && choices.empty()) {
-        return ":";  // a number, a name: nothing to offer
+        return ":";  // a number or a free name, for which there is nothing to offer
     }
     return std::string("_ddtool_reply") + (files ? " -f" : "") + (choices.empty() ? "" : " -W '" + choices + "'");
 }
@@ -55,7 +56,7 @@ std::string alternatives(std::string words, const std::string& command) {
     return command + ":" + words;
 }
 
-/// A case for each option that takes a value.
+/// The branches of a shell `case`, one for each option that takes a value.
 std::string value_cases(const HelpText& command, const std::string& name) {
     std::string cases;
     for (const OptionText& option : command.options) {
@@ -66,7 +67,7 @@ std::string value_cases(const HelpText& command, const std::string& name) {
     return cases;
 }
 
-/// Positionals are completed alike wherever they stand.
+/// The branch for all other words. All positional arguments of a command are completed alike, whatever their position.
 std::string word_case(const HelpText& command) {
     std::string replies;
     for (const OptionText& option : command.options) {

@@ -7,14 +7,14 @@
 
 namespace ddtool {
 
-/// Prints what is in a data set: tables, or JSON for machines.
+/// Prints what a data set contains, as tables or as JSON.
 void print_dataset(const dataset::Dataset& data, bool as_json);
 
-/// Draws histograms of what the labels look at and montages of the images into the folder.
+/// Draws histograms of the quantities behind the labels, and montages of the images, into the folder.
 void draw_dataset(const std::filesystem::path& folder, const dataset::Dataset& data, const ImageSettings& settings);
 
-/// Writes report.html (docs/reports.md) into a data set's folder, with the pictures that draw_dataset() made there.
-/// Returns whether it could be written.
+/// Writes report.html (docs/reports.md) into the folder of a data set, with the pictures that draw_dataset() has made.
+/// Returns whether the file could be written.
 bool write_dataset_page(const std::filesystem::path& folder, const std::filesystem::path& pictures,
                         const dataset::Dataset& data);
 

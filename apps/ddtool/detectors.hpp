@@ -7,11 +7,12 @@
 
 namespace ddtool {
 
-/// Every detector that the commands know: those of the library, and TorchScript files, for which LibTorch's program
-/// takes over (train::engine).
+/// Every detector that the commands know: those of the library, and TorchScript files. ddtool hands the latter over to
+/// the program that is linked with LibTorch (train::engine).
 DetectorTable all_detectors();
 
-/// How the detector sees a swarm: the images of its network, for a rule those of the network that is carried inside.
+/// How the detector sees a swarm. For a network these are the settings of its images; for a rule, those of the shipped
+/// network.
 ImageSettings image_seen_by(const std::string& detector);
 
 }  // namespace ddtool

@@ -12,7 +12,7 @@
 namespace ddtool {
 namespace {
 
-/// This process's arguments, each ended by a zero byte (proc(5)).
+/// This process's arguments from the content of /proc/self/cmdline, where each ends with a zero byte (proc(5)).
 std::vector<char*> arguments_in(std::string& command_line) {
     std::vector<char*> arguments;
     for (std::size_t place = 0; place < command_line.size(); place = command_line.find('\0', place) + 1) {

@@ -4,7 +4,8 @@
 
 namespace ddtool {
 
-/// Where this program has its engine: in itself (ddtool-torch), or in that one, as which it then starts anew (ddtool).
+/// The training engine of this program. ddtool-torch contains it. ddtool does not: it replaces itself by ddtool-torch,
+/// with the same arguments.
 const train::Engine& provide_engine();
 
 }  // namespace ddtool

@@ -53,7 +53,7 @@ std::vector<judge::Detector> rules_fitted_on(const std::string& folder, const Ta
     return rules;
 }
 
-/// Models of one name and seed get the names of their files behind.
+/// Appends the names of their files to the names of models that share a name and a seed.
 void tell_apart(std::vector<judge::Detector>& models, const std::vector<std::string>& files) {
     std::map<std::pair<std::string, std::optional<std::uint64_t>>, std::size_t> count;
     for (const judge::Detector& model : models) {

@@ -14,7 +14,7 @@ struct InfoRequest {
     bool as_json = false;
 };
 
-/// Half of the work is the count, half the reading as a run does it.
+/// Progress for one half of the work: counting the messages takes about as long as reading them as a run does.
 std::function<void(double)> half(Progress& progress, double before) {
     return [&progress, before](double share) { progress.update(before + 0.5 * share, 1); };
 }
@@ -29,7 +29,7 @@ ExitCode describe_log(const InfoRequest& request, const Json& settings) {
         throw;
     } catch (const Error& error) {
         info.unusable = error.what();
-        info.damage = {};  // the count, which reads all, tells it again
+        info.damage = {};  // the count below reads the whole log and reports the damage again
     }
     const LogProblemHandler told_already = [](const LogProblem&) {};
     info.inventory = take_inventory(request.log, info.use ? told_already : info.damage.handler(), half(progress, 0.5));

@@ -92,7 +92,7 @@ std::string use_text(const LogUse& use) {
            fixed(degrees_per_rad * laser.theta_rad, 1) + " deg on the robot\n";
 }
 
-/// What the log does not say, and what was taken instead; without the file's name in front.
+/// The assumptions that were made because the log lacks something, without the name of the file in front.
 std::vector<std::string> assumptions(const std::string& file, const LogUse& use) {
     std::vector<std::string> lines;
     for (const std::string& assumption : use.summary.assumptions) {
@@ -101,7 +101,7 @@ std::vector<std::string> assumptions(const std::string& file, const LogUse& use)
     return lines;
 }
 
-/// Lines under a word, the first beside it.
+/// The lines with the word in front of the first one, indented to its width.
 std::string under(const std::string& word, const std::vector<std::string>& lines) {
     std::string text;
     for (const std::string& line : lines) {

@@ -10,7 +10,7 @@
 
 namespace ddtool {
 
-/// What is wrong with a log: a count, and the first few in words.
+/// The problems of a log: their number, and the texts of the first few.
 struct LogDamage {
     static constexpr std::size_t max_told = 5;
 
@@ -18,13 +18,13 @@ struct LogDamage {
     std::uint64_t bytes_lost = 0;
     std::vector<std::string> first;
 
-    /// Must not outlive the damage.
+    /// A handler that adds problems to this object. It must not outlive the object.
     LogProblemHandler handler();
 };
 
 struct LogInfo {
     LogInventory inventory;
-    std::optional<LogUse> use;  ///< none: `unusable` says why
+    std::optional<LogUse> use;  ///< empty if the log cannot be used; `unusable` then says why
     std::string unusable;
     LogDamage damage;
 };

@@ -19,10 +19,11 @@ struct ManRequest {
 
 struct ManPage {
     std::string name;  ///< "ddtool" or "ddtool-COMMAND"
-    std::string text;  ///< in man(7)'s macros
+    std::string text;  ///< written with the macros of man(7)
 };
 
-/// As text that roff takes literally: a line must not begin with a control character, and a minus is no hyphen.
+/// The text in a form that roff prints unchanged: a line must not begin with a control character, and a plain minus
+/// would become a hyphen.
 std::string literal(const std::string& text) {
     std::string result;
     bool line_begins = true;
@@ -95,7 +96,7 @@ ManPage page(const HelpText& described, const std::string& page_name, const std:
             section("SEE ALSO", literal(see_also) + "\n")};
 }
 
-/// The program's first, then one of each of its commands.
+/// The page of the program, and then a page for each of its commands.
 std::vector<ManPage> man_pages(const HelpText& program) {
     std::vector<ManPage> pages{page(program, program.name, "ddtool [OPTIONS] COMMAND", "ddtool-COMMAND(1)")};
     for (const HelpText& command : program.commands) {

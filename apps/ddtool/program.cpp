@@ -10,7 +10,7 @@
 #include "system/setting_rows.hpp"
 #include "version.hpp"
 
-// The only file that includes CLI11, which takes longer to compile than all commands together.
+// This is the only file that includes CLI11, which takes longer to compile than all commands together.
 namespace ddtool {
 namespace {
 
@@ -24,13 +24,13 @@ std::string type_name(const Json& value) {
     return value.is_array() ? "LIST" : "TEXT";
 }
 
-/// As it may be written on a command line: no default for null, a list without its brackets.
+/// The value as it is written on a command line: nothing for null, and a list without its brackets.
 std::string bare(const Json& value) {
     const std::string text = value.is_null() ? "" : value.dump();
     return value.is_array() ? text.substr(1, text.size() - 2) : text;
 }
 
-/// A command as CLI11 reads it. CLI11 keeps pointers into it.
+/// A command as CLI11 parses it. CLI11 keeps pointers into this object, so it must not be copied or moved.
 class ParsedCommand {
 public:
     ParsedCommand(CLI::App& program, const Command& command);
@@ -50,7 +50,7 @@ private:
 
     void declare(const Option& option);
     CLI::Option* declare_setting(const Option& option, const std::string& path);
-    /// --config and --set.
+    /// Declares --config and --set.
     void declare_files_and_assignments();
     [[nodiscard]] Json effective_settings() const;
 
@@ -151,7 +151,7 @@ ExitCode ParsedCommand::run() const {
     return command_.run(effective_settings());
 }
 
-/// The program as CLI11 reads it.
+/// The whole program as CLI11 parses it.
 struct ParsedProgram {
     explicit ParsedProgram(const CommandTable& table);
 
@@ -175,11 +175,13 @@ void add_shared_options(CLI::App& program) {
 ParsedProgram::ParsedProgram(const CommandTable& table) {
     add_shared_options(app);
     app.require_subcommand(0, 1);
-    app.fallthrough();  // shared options may stand behind the command, too
+    app.fallthrough();  // shared options may also stand behind the command
     for (const Command& command : table) {
         commands.push_back(std::make_unique<ParsedCommand>(app, command));
     }
-    app.allow_extras();  // set last, for the program alone: collects the unknown, which CLI11 would only name
+    // Collects unknown words, for which we then suggest the nearest known ones; CLI11 would only name them. It is set
+    // last because commands inherit it when they are added, and it shall hold for the program alone.
+    app.allow_extras();
 }
 
 std::vector<const CLI::App*> commands_of(const CLI::App& program) {

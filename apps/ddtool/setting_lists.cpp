@@ -16,7 +16,8 @@ Setting group(const std::string& key, const std::vector<Setting>& settings) { re
 }  // namespace
 
 std::vector<SettingList> setting_lists() {
-    const train::TrainSettings training;  // a temporary makes GCC 12 warn of one that is not initialised
+    // a named object, because GCC 12 warns that a temporary might be used uninitialised
+    const train::TrainSettings training;
     return {
         {"slam",
          {group("log", log_setting_list()), group("filter", filter_setting_list())},

@@ -9,12 +9,12 @@ namespace ddtool {
 
 /// The settings of one command.
 struct SettingList {
-    std::string command;  ///< "ablation" is the plan that `ddtool eval --ablation` reads
+    std::string command;  ///< "ablation" stands for the plan that `ddtool eval --ablation` reads
     std::vector<Setting> settings;
     Json defaults;
 };
 
-/// Of every command that has settings.
+/// The settings of every command that has any.
 std::vector<SettingList> setting_lists();
 
 }  // namespace ddtool

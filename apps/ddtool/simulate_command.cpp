@@ -21,7 +21,7 @@ struct SimulateRequest {
     bool as_json = false;
 };
 
-/// Those that go by one word; a drawn world has a seed in its name.
+/// The worlds with a fixed name. The name of a world that is drawn at random contains a colon and a seed.
 std::vector<std::string> plain_world_names() {
     std::vector<std::string> names;
     for (const sim::WorldEntry& entry : sim::list_worlds()) {
@@ -72,7 +72,7 @@ Table summary_table(const sim::World& world, const sim::Simulation& simulation) 
     return table;
 }
 
-/// The files asked for, by what is in them.
+/// The files that the user asked for; the keys say what they contain.
 Json files_of(const SimulateRequest& request) {
     Json files = Json::object();
     const auto add = [&files](const char* content, const std::string& file) {

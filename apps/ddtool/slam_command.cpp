@@ -38,7 +38,7 @@ struct SlamRequest {
     std::string address = "127.0.0.1";
 };
 
-/// What --serve offers.
+/// The server of --serve, and the messages of the run that it sends.
 struct Served {
     Served(const std::string& address, std::uint16_t port) : server(address, port) {
         log_info("serving the run at ws://" + server.place() + " (Foxglove WebSocket)");
@@ -48,7 +48,8 @@ struct Served {
     LiveRun run{server};
 };
 
-/// The filter's particles end here, so that their memory can be given back before the pictures are drawn.
+/// Runs the filter over the scans. The filter is destroyed at the end, so that the memory of its particles can be
+/// returned before the pictures are drawn.
 FilterRun run_over(DrivenScans& scans, std::unique_ptr<Rbpf> filter, const InterruptRequest& interrupt,
                    RunFolder& folder, Served* served) {
     Progress progress("slam", "scans");
@@ -62,7 +63,7 @@ FilterRun run_over(DrivenScans& scans, std::unique_ptr<Rbpf> filter, const Inter
     });
 }
 
-/// Why less was used or there than a run needs, other than for damage.
+/// The reasons, other than damage, why less of the log was used than it holds or a run needs.
 std::vector<std::string> shortfalls(const std::string& file, const LogSummary& log, const InterruptRequest& interrupt,
                                     const FilterRun& run) {
     std::vector<std::string> lines;
@@ -108,7 +109,7 @@ ExitCode slam(const SlamRequest& request, const Json& settings) {
     const auto truth = std::make_shared<ScanTruth>();
     DetectorTable detectors = all_detectors();
     detectors.know(truth);
-    // Before the log is opened: a detector that needs LibTorch starts the command anew.
+    // The detector is made before the log is opened, because a detector that needs LibTorch starts the command anew.
     std::unique_ptr<Rbpf> filter = make_filter(filter_settings, detectors, threads);
     const auto served = request.serve ? std::make_unique<Served>(request.address, request.port) : nullptr;
     LogReport problems;
@@ -117,7 +118,7 @@ ExitCode slam(const SlamRequest& request, const Json& settings) {
     scans.tell_truth(truth);
     RunFolder folder(request.folder, request.with_snapshots);
     const FilterRun result = run_over(scans, std::move(filter), interrupt, folder, served.get());
-    return_freed_memory();  // the particles' maps, before pictures are drawn
+    return_freed_memory();  // returns the memory of the particles' maps before the pictures are drawn
     if (result.trajectory.empty()) {
         throw Error(request.log + ": no scans that can be used");
     }

@@ -12,10 +12,10 @@ namespace ddtool {
 /// What was used of a log and what was lost, for run.json.
 Json log_report(const std::string& file, const LogSummary& log);
 
-/// ddtool's version and those of its libraries, for run.json.
+/// The versions of ddtool and its libraries, for run.json.
 Json version_report();
 
-/// What a person wants to know of a run.
+/// The summary of a run that is printed for the user.
 std::string slam_summary(const RunReport& run, const CostReport& cost, const std::string& folder,
                          const std::vector<std::string>& files);
 

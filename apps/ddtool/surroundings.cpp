@@ -33,7 +33,7 @@ bool memory_is_limited() {
 
 void reserve_standard_descriptors() {
     for (int descriptor = STDIN_FILENO; descriptor <= STDERR_FILENO; ++descriptor) {
-        if (::fcntl(descriptor, F_GETFD) < 0) {  // and the lowest number that is free is the one open() takes
+        if (::fcntl(descriptor, F_GETFD) < 0) {  // open() takes the lowest free number, which is this one
             ::open("/dev/null", descriptor == STDIN_FILENO ? O_WRONLY : O_RDONLY);
         }
     }
@@ -47,7 +47,7 @@ void flush_results() {
     }
     std::cout.clear();
     errno = 0;
-    std::cout.put('\n').flush();  // which fails for the same reason: that of before may be forgotten
+    std::cout.put('\n').flush();  // writes again, to learn the reason: the failure before may not have left it in errno
     throw Error("standard output: cannot write the results" +
                 (errno == 0 ? "" : std::string(": ") + std::strerror(errno)));
 }

@@ -4,23 +4,23 @@
 
 namespace ddtool {
 
-/// Descriptors 0 to 2 that were closed by whoever started the program are opened so that using them fails: otherwise a
-/// file of ours would get the number, and what is printed would end up in it.
+/// If the program was started with one of the descriptors 0 to 2 closed, opens it in such a way that using it fails.
+/// Otherwise the next file that ddtool opens would get the number, and printed text would be written into that file.
 void reserve_standard_descriptors();
 
-/// A file that is cut short while it is mapped into memory raises SIGBUS: from now on that is one line and
-/// ExitCode::failed.
+/// From now on, SIGBUS ends the program with one line on stderr and ExitCode::failed. The system raises it if a file
+/// that is mapped into memory is cut short.
 void explain_bus_errors();
 
-/// Writes out what was printed. Throws Error when standard output did not take all of it.
+/// Flushes standard output. Throws Error if it could not be written completely.
 void flush_results();
 
-/// Throws Error when a limit of memory leaves too little for LibTorch: short of it, OpenBLAS asks for more without end
-/// and oneDNN crashes, neither of which could be told from here.
+/// Throws Error if a limit on memory leaves too little for LibTorch. Without enough memory OpenBLAS would ask for more
+/// without end and oneDNN would crash, and neither failure could be reported from here.
 void expect_memory_for_libtorch();
 
-/// The value for main to return. Under a limit of memory the program ends here, without its libraries' farewell, in
-/// which OpenBLAS would wait for threads that try without end to get memory.
+/// Returns the value for main(). Under a limit on memory it does not return but ends the program at once, without
+/// running the destructors of its libraries: OpenBLAS's would wait for threads that try without end to get memory.
 int exit_status(ExitCode code);
 
 }  // namespace ddtool

@@ -12,7 +12,8 @@ namespace {
 struct TrainOptions {
     std::string data;
     std::string out;
-    train::TrainRequest rest;  ///< all but data and out, which the command line gives as text, and the settings
+    /// everything except the settings, and data and out, which the command line gives as text
+    train::TrainRequest rest;
     bool as_json = false;
 };
 
@@ -42,7 +43,8 @@ ExitCode train_network(const TrainOptions& options, const Json& settings) {
 
 Command train_command() {
     const auto options = std::make_shared<TrainOptions>();
-    const train::TrainSettings defaults;  // a temporary makes GCC 12 warn of one that is not initialised
+    // a named object, because GCC 12 warns that a temporary might be used uninitialised
+    const train::TrainSettings defaults;
     return {
         .name = "train",
         .summary = "Fits a network that reads the degree of degeneracy from particle images",

@@ -5,14 +5,14 @@
 
 namespace ddtool {
 
-/// The best epoch's figures.
+/// A table with the figures of the best epoch.
 Table result_table(const train::TrainResult& result);
 
-/// What --json prints: settings, figures of the best epoch, what was written where.
+/// The output of --json: the settings, the figures of the best epoch, and the files that were written.
 Json result_json(const train::TrainRequest& request, const train::TrainResult& result);
 
-/// Writes report.html (docs/reports.md) into the folder of a training that came to its end: curves, and how the best
-/// network decides on the part validation, with pictures of it in the folder pictures. Returns whether it could be
+/// Writes report.html (docs/reports.md) into the folder of a completed training: its curves, and how the best network
+/// decides on the part `validation`. The pictures go into the folder `pictures`. Returns whether the report could be
 /// written.
 bool write_train_page(const train::Engine& engine, const train::TrainRequest& request,
                       const train::TrainResult& result);

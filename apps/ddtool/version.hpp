@@ -10,13 +10,14 @@ struct Version {
     std::string number;
 };
 
-/// ddtool's version and commit first, then the compiler and the libraries it was built with.
+/// The versions of ddtool (with its commit), of the compiler, and of the libraries that it was built with, in this
+/// order.
 std::vector<Version> versions();
 
-/// ddtool's own, to say which build computed something.
+/// ddtool's own version, which is stored with results to identify the build that computed them.
 std::string program_version();
 
-/// All of them, a line each, for --version.
+/// All versions, one per line, for --version.
 std::string version_text();
 
 }  // namespace ddtool

@@ -1,12 +1,12 @@
-# Writes build_commit.hpp with the commit of the checkout, at every build; the file is touched only when the commit
-# changed, so that a rebuild stays quick. Arguments: SOURCE_DIR, HEADER.
+# Writes build_commit.hpp with the commit of the checkout. It runs at every build, but changes the file only if the
+# commit has changed, so that nothing is compiled again without need. Arguments: SOURCE_DIR, HEADER.
 cmake_minimum_required(VERSION 3.25)
 
 set(commit "unknown")
 set(git git --no-optional-locks -c safe.directory=* -C ${SOURCE_DIR})
 execute_process(COMMAND ${git} rev-parse --show-toplevel
   OUTPUT_VARIABLE top OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET RESULT_VARIABLE failed)
-# A tarball unpacked inside somebody else's checkout is not that checkout.
+# If a source archive was unpacked inside another checkout, the commit of that checkout must not be used.
 file(REAL_PATH "${SOURCE_DIR}" source_dir)
 if(failed EQUAL 0 AND top STREQUAL source_dir)
   execute_process(COMMAND ${git} describe --always --dirty --exclude=* --abbrev=12

@@ -9,7 +9,7 @@ import sys
 
 NAMESPACE = re.compile(r"^namespace ddtool::(\w+)", re.MULTILINE)
 INCLUDE = re.compile(r'^\s*#\s*include "([^"]+/[^"]+)"', re.MULTILINE)
-# Floors of a module that is one target: a floor may only use those before it.
+# The layers ("floors") inside a module that is one target. A layer may only use the layers before it.
 FLOORS = {"logs": ["logs/containers", "logs/messages", "logs/stream"]}
 
 

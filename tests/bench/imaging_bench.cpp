@@ -8,7 +8,7 @@
 namespace ddtool {
 namespace {
 
-/// Particles spread along a corridor: few pixels overlap, which is the slow case.
+/// Renders particles that are spread along a corridor. This is the slow case, because few of their pixels overlap.
 void render(benchmark::State& state, const ImageSettings& settings) {
     const std::vector<SnapshotParticle> swarm =
         test::normal_swarm(static_cast<std::size_t>(state.range(0)), 1, {2.0, 0.5}, 2.0);
@@ -37,7 +37,7 @@ void render_floats(benchmark::State& state) {
 }
 BENCHMARK(render_floats)->Unit(benchmark::kMicrosecond);
 
-/// What an image costs on its way to the network through a file, as in the paper.
+/// Measures how long an image takes to reach the network through a file, as in the paper.
 void through_image_file(benchmark::State& state) {
     const test::TemporaryFolder folder;
     ParticleRenderer renderer({});

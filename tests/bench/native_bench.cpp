@@ -16,7 +16,7 @@ void write_model(const std::filesystem::path& path, const std::string& network) 
     network::write_safetensors(path, test::drawn_dd_model(network, 224));
 }
 
-/// What a command pays at its start.
+/// Measures the loading of a network, which a command does once at its start.
 void load(benchmark::State& state, const std::string& network) {
     const test::TemporaryFolder folder;
     write_model(folder / "model.safetensors", network);
@@ -33,7 +33,8 @@ double median(std::vector<double> values) {
     return *middle;
 }
 
-/// From a snapshot of 30 particles to the degree, drawing included; weights are random, which costs the same.
+/// Measures the way from a snapshot of 30 particles to the degree, including the drawing of the image. The weights are
+/// random, which does not change the time.
 void snapshot_to_degree(benchmark::State& state, const std::string& network) {
     const std::vector<SnapshotParticle> swarm = test::normal_swarm(30, 1, {2.0, 0.5}, 2.0);
     const test::TemporaryFolder folder;

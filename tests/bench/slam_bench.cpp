@@ -9,7 +9,7 @@
 namespace ddtool {
 namespace {
 
-/// The first scan of a room, in a map of it.
+/// The first scan of a room, and a map that was made from it.
 struct MappedScan {
     MappedScan() {
         sim::SimulatedStream stream(sim::load_world("s1"), {});

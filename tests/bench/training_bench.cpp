@@ -26,7 +26,8 @@ std::shared_ptr<train_torch::Network> drawn_network(const std::string& name) {
     return train_torch::make_network(name, size_px);
 }
 
-/// Forward, loss, backward, clipping and the step of Adam, as Trainer does them.
+/// Measures one training step, as Trainer does it: forward, loss, backward, clipping of the gradients, and the step of
+/// Adam.
 void training_step(benchmark::State& state, const std::string& name, const std::string& precision) {
     const std::shared_ptr<train_torch::Network> network = drawn_network(name);
     network->train();
@@ -51,7 +52,7 @@ BENCHMARK_CAPTURE(training_step, ddmodel_lite_bf16, "ddmodel-lite", "bf16")->Uni
 BENCHMARK_CAPTURE(training_step, ddmodel_fp32, "ddmodel", "fp32")->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(training_step, ddmodel_bf16, "ddmodel", "bf16")->Unit(benchmark::kMillisecond);
 
-/// One image through the network as it was trained, not exported.
+/// Measures the forward pass of one image in the network as it was trained, not exported.
 void plain_forward(benchmark::State& state, const std::string& name) {
     const torch::NoGradGuard no_grad;
     const std::shared_ptr<train_torch::Network> network = drawn_network(name);

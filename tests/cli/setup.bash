@@ -1,10 +1,11 @@
-# Sourced by the tests here: a folder of their own to work in, expect and check_page.
+# The tests here source this file. It gives them a folder of their own to work in, and the functions expect and
+# check_page.
 support=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/../support" && pwd)
 folder=$(mktemp -d)
 trap 'rm -rf -- "$folder"' EXIT
 cd "$folder"
 
-# expect CODE TEXT COMMAND...: the command ends with CODE and its output holds TEXT.
+# expect CODE TEXT COMMAND...: fails unless the command ends with CODE and its output contains TEXT.
 expect() {
     local code=$1 text=$2 output status=0
     shift 2
@@ -15,5 +16,6 @@ expect() {
     fi
 }
 
-# check_page FILE HEADING...: the report is one sound page that needs nothing from outside, and has these sections.
+# check_page FILE HEADING...: fails unless the report is one valid page that loads nothing from outside and has these
+# sections.
 check_page() { python3 "$support/check_page.py" "$@"; }

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""Everything that the documents name is there: tests/documents/references.py ROOT DDTOOL
+"""Checks that everything that the documents name exists: tests/documents/references.py ROOT DDTOOL
 
-Links to files and to headings in them, `folder/file` of the repository, `folder/file`: `name` in it, tests `Suite.Name`,
-and settings filter.* of ddtool slam."""
+These are links to files and to headings in them, files of the repository written as `folder/file`, names in them written as
+`folder/file`: `name`, tests written as `Suite.Name`, and the settings filter.* of ddtool slam."""
 
 import json
 import pathlib
@@ -24,7 +24,7 @@ checked = 0
 
 
 def filter_settings(ddtool):
-    """The settings as a run tells them."""
+    """The settings of the filter, from the JSON output of a run."""
     with tempfile.TemporaryDirectory() as folder:
         (pathlib.Path(folder) / "log.clf").write_text("FLASER 5 2 2.1 2.2 2.1 2 0 0 0 0 0 0 10.0 host 0\n")
         run = [ddtool, "slam", "--quiet", "--json", "--log", "log.clf", "--out", "run"]
@@ -41,7 +41,7 @@ def has_setting(settings, path):
 
 
 def anchor(heading):
-    """As GitHub makes it."""
+    """The anchor that GitHub makes of a heading."""
     return re.sub(r"[^\w\- ]", "", heading.strip().lower()).replace(" ", "-")
 
 
@@ -60,7 +60,8 @@ def expect(there, document, what):
 
 
 def named_file(path):
-    """`lib/filter/include/ddtool/filter/rbpf` stands for its header, `lib/network/src/network/*` for what it matches."""
+    """Whether the file exists. `lib/filter/include/ddtool/filter/rbpf` stands for its header, and a pattern such as
+    `lib/network/src/network/*` for every file that it matches."""
     return any(root.glob(path)) or any(root.glob(path + ".*"))
 
 
@@ -70,7 +71,7 @@ for document in documents:
         if "://" not in link:
             target = document.parent / link if link else document
             expect(target.exists() and (not heading or heading in anchors(target)), document, f"{link}#{heading}")
-    # What tells of the past names what was there then.
+    # The changelog and the reports may mention names that existed at their time.
     past = document.name == "CHANGELOG.md" or "reports" in document.parts
     for path in [] if past else re.findall(r"\bfilter((?:\.[a-z_]+)+)\b", text):
         expect(path in (".md", ".hpp", ".cpp") or has_setting(settings, path[1:]), document, f"filter{path}")

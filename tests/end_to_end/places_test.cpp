@@ -1,5 +1,5 @@
-/// What the product promises, on short drives: every method stays usable everywhere, and where the lidar leaves the way
-/// open the default method is far better than the plain filter.
+/// Tests what the project promises, on short drives: every method works in every kind of place, and where a scan does
+/// not determine the position along the path, the default method is far better than the plain filter.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -22,15 +22,16 @@ sim::World with_route(sim::World world, const Pose2& start, std::vector<Point2> 
     return world;
 }
 
-/// Something to hold on to in every direction, everywhere.
+/// A place in which every scan determines the pose in every direction.
 sim::World a_room() {
     return with_route(furnished_room(), {-1.0, 0.0, 0.0}, {{1.5, -1.0}, {1.5, 1.0}, {-1.0, 1.0}, {-1.0, -1.0}});
 }
 
-/// A ring of plain corridors: along each of them the lidar sees no end, only the corners hold the way.
+/// A ring of plain corridors. Along each of them the lidar does not reach an end, so only at the corners do the scans
+/// determine the position along the path.
 sim::World a_corridor() { return sim::load_world("r1"); }
 
-/// From one yard to the other over ground where nothing is in range.
+/// Two yards, and a drive from one to the other over ground where nothing is within the lidar's range.
 sim::World open_ground() {
     sim::World world;
     for (const double side : {-1.0, 1.0}) {
@@ -47,7 +48,7 @@ sim::SimulationSettings short_sighted(std::uint64_t seed) {
     return settings;
 }
 
-/// The root mean square error of the path (ATE), the median over the first seeds.
+/// The root mean square of the path's errors (ATE) in metres: the median over the seeds 1 to `seeds`.
 double error_m(const sim::World& world, const MethodSettings& method, std::uint64_t seeds) {
     std::vector<double> errors_m;
     for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
@@ -75,8 +76,8 @@ double error_m(const sim::World& world, const std::string& method, std::uint64_t
     return error;
 }
 
-/// The default method's error and the plain filter's where the lidar leaves the way open, and no method loses the
-/// robot.
+/// Expects that the error of every method stays below most_m, and that the default method's error is far below that of
+/// the plain filter.
 void expect_default_far_better(const sim::World& world, double most_m) {
     std::map<std::string, double> errors_m;
     for (const std::string& method : method_names()) {

@@ -1,5 +1,5 @@
-// What the step swarm's canvas is chosen by: the filter itself in a room and in a corridor, with short and long steps.
-// Prints the figures of docs/reports/2026-11-22-particle-images.md.
+// Measures what the canvas of the step swarm was chosen by: the filter itself in a room and in a corridor, with short
+// and long steps. Prints the figures of docs/reports/2026-11-22-particle-images.md.
 
 #include <gtest/gtest.h>
 
@@ -16,7 +16,7 @@ namespace ddtool {
 namespace {
 
 struct Spreads {
-    double predicted_m = 0.0;  ///< medians over the updates
+    double predicted_m = 0.0;  ///< both are medians over the updates
     double matched_m = 0.0;
 };
 
@@ -25,7 +25,7 @@ double median(std::vector<double> values) {
     return values[values.size() / 2];
 }
 
-/// Of the steps of the first minute in a world.
+/// The spreads of the steps in the first minute of a drive through the world.
 Spreads step_spreads(const std::string& world, double update_distance_m) {
     ThreadPool threads(1);
     RbpfSettings settings;

@@ -1,4 +1,4 @@
-// write_scans FILE: a log of scans alone, without odometry or transforms.
+// write_scans FILE: writes a log that contains scans only, without odometry and transforms.
 #include "logs/messages/ros_conversions.hpp"
 #include "logs/stream/ros2_writer.hpp"
 

@@ -13,14 +13,15 @@
 namespace ddtool::fuzz {
 namespace {
 
-/// Of an .npy file of format 1.0: magic and version, the length of the text that follows, the text.
+/// The length of the header of an .npy file of format 1.0: magic and version, the length of the text, and the text.
 std::size_t header_bytes(std::span<const char> file) {
     constexpr std::size_t preamble = 10;
     const auto length = [&](std::size_t at) { return static_cast<std::size_t>(static_cast<unsigned char>(file[at])); };
     return file.size() < preamble ? file.size() : std::min(file.size(), preamble + length(8) + (length(9) << 8U));
 }
 
-/// A shard's file of the input, and the manifest that fits it: otherwise its size alone would give it away.
+/// Replaces a file of the shard by the input, and makes the manifest agree with its size. Otherwise the reader would
+/// reject every input whose size differs from the manifest's.
 void exchange(dataset::ShardFile& file, std::size_t row_bytes, const std::filesystem::path& folder,
               std::span<const char> content) {
     file.bytes = content.size();
@@ -29,7 +30,7 @@ void exchange(dataset::ShardFile& file, std::size_t row_bytes, const std::filesy
         .write(content.data(), static_cast<std::streamsize>(content.size()));
 }
 
-/// What `ddtool dataset` and a training do with it.
+/// Does with the data set what `ddtool dataset` and a training do.
 void use(const dataset::Dataset& data) {
     constexpr std::size_t drawn_samples = 4;
     (void)dataset::description_json(data);
@@ -49,7 +50,7 @@ void use(const dataset::Dataset& data) {
 
 }  // namespace
 
-/// The first byte says which file of an otherwise good data set the others are.
+/// Replaces one file of an otherwise sound data set by the input. The first byte says which file.
 void read_dataset(std::span<const char> content) {
     if (content.empty()) {
         return;

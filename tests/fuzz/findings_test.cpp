@@ -8,8 +8,8 @@
 namespace ddtool::fuzz {
 namespace {
 
-/// What fuzzing found once, and inputs that are meant to hurt: findings/READER/NAME. A crash or a foreign exception
-/// fails.
+/// Reads all inputs findings/READER/NAME: those in which fuzzing once found a fault, and some that were written to
+/// cause harm. The test fails if a reader crashes or throws anything but ddtool::Error.
 TEST(FuzzFindings, AreReadWithoutHarm) {
     std::size_t inputs = 0;
     for (const auto& entry : std::filesystem::recursive_directory_iterator(DDTOOL_FINDINGS)) {

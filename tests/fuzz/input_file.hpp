@@ -9,8 +9,8 @@
 
 namespace ddtool::fuzz {
 
-/// A file of that name and content, good until the next of the name. Not by write_file(): nothing here need outlive a
-/// crash, and a rename for each of a million inputs takes its time.
+/// A file with that name and content, which is valid until the next call with the same name. It is not written by
+/// write_file(): nothing here needs to survive a crash, and a rename for each of a million inputs would take time.
 inline std::filesystem::path input_file(std::span<const char> content, const std::string& name) {
     static const test::TemporaryFolder folder;
     std::filesystem::path path = folder / name;

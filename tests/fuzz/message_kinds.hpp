@@ -10,7 +10,7 @@ struct MessageType {
     const char* schema;
 };
 
-/// What the first byte of an input of the reader "message" chooses from.
+/// The kinds of message from which the first byte of an input chooses, for the reader "message".
 inline constexpr std::array<MessageType, 17> message_types{{
     {"/scan", "cdr", "sensor_msgs/msg/LaserScan"},
     {"/odom", "cdr", "nav_msgs/msg/Odometry"},

@@ -6,7 +6,7 @@
 
 namespace ddtool::fuzz {
 
-/// The first byte says what the others are a message of.
+/// Decodes the input as a message whose kind the first byte gives.
 void read_message(std::span<const char> content) {
     if (content.empty()) {
         return;

@@ -27,7 +27,7 @@
 namespace ddtool::fuzz {
 namespace {
 
-/// Beyond this many scans a small input has been read as something that it is not.
+/// A small input that gives more scans than this has been read wrongly.
 constexpr std::size_t most_scans = 100'000;
 
 void ignore(const LogProblem& /*problem*/) {}
@@ -41,7 +41,7 @@ void expect_sound(const SensorFrame& frame) {
     }
 }
 
-/// Bags, MCAP, .db3 and CARMEN are told apart by content.
+/// Reads a log. Bags, MCAP, .db3 and CARMEN files are told apart by their content.
 void read_log(std::span<const char> content) {
     const std::filesystem::path path = input_file(content, "log");
     const std::unique_ptr<LogStream> log = open_log(path, {}, ignore);
@@ -72,7 +72,8 @@ void read_network(std::span<const char> content) {
     (void)load_model(std::string_view(content.data(), content.size()), "model.safetensors");
 }
 
-/// The header of a file that is long enough for all weights: reading goes on to the making of the network.
+/// Reads the input as the header of a network file. Zeros are appended in place of the weights, so that the reader gets
+/// beyond the header and constructs the network.
 void read_network_header(std::span<const char> content) {
     constexpr std::size_t most_weights_bytes = 512 << 10;
     std::string bytes(content.begin(), content.end());
@@ -83,7 +84,7 @@ void read_description(std::span<const char> content) {
     (void)parse_model_description(std::string(content.begin(), content.end()), "model");
 }
 
-/// As training/checkpoint.cpp does, which needs LibTorch.
+/// Does the same as train/torch/checkpoint.cpp, which needs LibTorch.
 void read_training_state(std::span<const char> content) {
     try {
         (void)parse_json({content.data(), content.size()}, "state").get<train::TrainingState>();
@@ -141,7 +142,7 @@ void read_request(std::span<const char> content) {
 
 using Read = void (*)(std::span<const char>);
 
-/// Errors of ours are answers.
+/// Catches ddtool::Error, which is the right answer to a damaged input.
 void read_tolerantly(Read read, std::span<const char> content) {
     try {
         read(content);
@@ -149,7 +150,7 @@ void read_tolerantly(Read read, std::span<const char> content) {
     }
 }
 
-/// One input for several: what only one of them understands costs the others little.
+/// One reader made of several. An input that only one of them understands costs the others little time.
 Reader reader(std::vector<Read> reads) {
     return [reads = std::move(reads)](std::span<const char> content) {
         for (const Read read : reads) {

@@ -7,8 +7,9 @@
 
 namespace ddtool::fuzz {
 
-/// Everything that reads bytes from outside, by name. Each takes a file's content and reads it as its command would;
-/// what is wrong with it must end in ddtool::Error or a reported problem, which are no findings. Anything else is one.
+/// Every reader of bytes from outside, by name. Each takes the content of a file and reads it as the command does that
+/// would read such a file. A damaged content must lead to a ddtool::Error or a reported problem; anything else, such as
+/// a crash or another exception, is a finding.
 using Reader = std::function<void(std::span<const char> content)>;
 const std::map<std::string, Reader>& readers();
 

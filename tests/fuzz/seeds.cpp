@@ -102,7 +102,7 @@ std::string as_protobuf(const std::string& schema) {
                                                : transforms.SerializeAsString();
 }
 
-/// The example recording's first message of that name, with a pose and what a scan tells beside it.
+/// The first message of that type in the example recording, to which a pose and a scan's Fisher information are added.
 std::string as_ros(const MessageType& type) {
     test::Recording recording = test::example_recording();
     test::record(recording, "/pose", 1, pose_message(1, "odom", {1.0, 2.0, 0.5}));
@@ -127,7 +127,8 @@ void write_messages(const fs::path& folder) {
     }
 }
 
-/// Lengths and names of all weights, without the weights: they would only dilute what is worth changing.
+/// Writes the header only, which lists the lengths and names of all weights. The weights themselves are left out,
+/// because changing them would find nothing.
 void write_networks(const fs::path& folder) {
     const test::TemporaryFolder temporary;
     network::write_safetensors(temporary / "model", test::drawn_dd_model("ddmodel-lite", 16));
@@ -176,7 +177,7 @@ void write_rest(const fs::path& root) {
 }  // namespace
 }  // namespace ddtool::fuzz
 
-/// fuzz_seeds DIR: sound inputs to begin from, in DIR/READER.
+/// fuzz_seeds DIR: writes sound inputs, from which fuzzing begins, into DIR/READER.
 int main(int argc, char** argv) {
     if (argc != 2) {
         return 2;

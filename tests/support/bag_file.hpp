@@ -15,10 +15,12 @@ struct BagOptions {
     Compression compression = Compression::none;
     std::size_t messages_per_chunk = 10;
     bool closed =
-        true;  ///< else as a recorder leaves it that was stopped hard: no index, the last chunk without length
+        /// if false, the file is as a recorder leaves it that was killed: no index, and the last chunk without its
+        /// length
+        true;
 };
 
-/// Bytes of a ROS 1 bag, format 2.0 (http://wiki.ros.org/Bags/Format/2.0).
+/// Writes the bytes of a ROS 1 bag of format 2.0 (http://wiki.ros.org/Bags/Format/2.0).
 class BagFile {
 public:
     BagFile(const Recording& recording, const BagOptions& options) : options_(options) {
@@ -38,7 +40,7 @@ public:
         }
     }
     [[nodiscard]] const std::string& bytes() const { return bytes_; }
-    /// Where each chunk record begins.
+    /// The offset at which each chunk record begins.
     [[nodiscard]] const std::vector<std::size_t>& chunk_offsets() const { return chunk_offsets_; }
 
     template <typename Integer>

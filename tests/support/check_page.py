@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Checks that a report is one sound page that needs nothing from outside: check_page.py FILE [HEADING]..."""
+"""Checks that a report is one valid page that loads nothing from outside: check_page.py FILE [HEADING]..."""
 
 import html.parser
 import json

@@ -25,7 +25,7 @@ inline std::string gzip(const std::string& text) {
     return packed;
 }
 
-/// In blocks of 100 kB, so that a text cut off keeps its first ones.
+/// Compresses in blocks of 100 kB, so that a text that was cut off still has its first blocks.
 inline std::string bzip2(const std::string& text) {
     std::string input = text;
     auto size = static_cast<unsigned>(text.size() + text.size() / 100 + 600);

@@ -4,12 +4,13 @@
 #include <cstdlib>
 #include <new>
 
-/// Replaces the program's operator new by one that counts: include in one file of a test program only.
+/// Replaces the program's operator new by one that counts the allocations. Include it in one file of a test program
+/// only.
 namespace ddtool::test {
 inline std::atomic<int> allocations{0};
 }  // namespace ddtool::test
 
-// Not inline: GCC would take one half of a pair for a mismatch with the other.
+// The operators are not inline: otherwise GCC would warn that new and delete do not match.
 [[gnu::noinline]] void* operator new(std::size_t size) {
     ++ddtool::test::allocations;
     if (void* const memory = std::malloc(size)) {

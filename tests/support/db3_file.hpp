@@ -13,7 +13,7 @@
 
 namespace ddtool::test {
 
-/// An SQLite database, created where it is not there.
+/// An SQLite database, which is created if it does not exist.
 class Database {
 public:
     explicit Database(const std::filesystem::path& path) {
@@ -24,7 +24,7 @@ public:
     Database(const Database&) = delete;
     Database& operator=(const Database&) = delete;
 
-    /// `blob` is the statement's parameter, where it has one.
+    /// Runs the statement. `blob` is the value of its parameter, if it has one.
     void run(const std::string& statement, std::span<const std::byte> blob = {}) {
         sqlite3_stmt* prepared = nullptr;
         sqlite3_prepare_v2(database_, statement.c_str(), -1, &prepared, nullptr);
@@ -40,7 +40,7 @@ private:
     sqlite3* database_ = nullptr;
 };
 
-/// rosbag2's tables (rosbag2_storage_sqlite3). `packed`: each message compressed.
+/// Writes the tables of rosbag2 (rosbag2_storage_sqlite3). With `packed`, each message is compressed.
 inline void write_db3(const std::filesystem::path& path, std::span<const RecordedMessage> recording,
                       Compression packed = Compression::none) {
     Database database(path);

@@ -11,7 +11,8 @@
 
 namespace ddtool::test {
 
-/// Draws the weights of networks: of size 1 / sqrt(fan-in), so that values neither fade nor grow from layer to layer.
+/// Draws the weights of networks, with a standard deviation of 1 / sqrt(fan-in), so that values neither vanish nor grow
+/// from layer to layer.
 class DrawnWeights {
 public:
     explicit DrawnWeights(std::uint64_t seed) : random_({seed}) {}
@@ -58,7 +59,7 @@ private:
     RandomStream random_;
 };
 
-/// All tensors of a network of the DD-Model's kind.
+/// All tensors of a network of the DD-Model's kind, drawn at random.
 inline std::vector<network::NamedTensor> drawn_dd_weights(const network::DDModelTable& table, std::int64_t size_px) {
     DrawnWeights weights(1);
     weights.add_convolution("stem", table.stem.channels, 1, table.stem.kernel_px);
@@ -83,7 +84,7 @@ inline std::vector<network::NamedTensor> drawn_dd_weights(const network::DDModel
     return weights.tensors;
 }
 
-/// The same as a file of `ddtool export`.
+/// The content of a file that `ddtool export` would write for such a network.
 inline network::PlainWeights drawn_dd_model(const std::string& network, std::size_t size_px) {
     ModelDescription about;
     about.network = network;

@@ -15,15 +15,16 @@
 
 namespace ddtool::test {
 
-/// A data set whose step swarms are wide where a sample is degenerate and narrow elsewhere: of a simulated world, label
-/// `fisher`, every other one degenerate; and of a log, without that label. weak_sd_m grows with the swarm's width.
-/// Samples go round the parts train, train, validation, test, and round two runs of 15 and 40 particles.
+/// A data set in which the step swarm of a degenerate sample is wide and that of any other sample narrow. Some samples
+/// come from a simulated world and have the label `fisher`, every other one degenerate; the others come from a log and
+/// lack this label. weak_sd_m grows with the width of the swarm. The samples belong to the parts train, train,
+/// validation, test in turn, and in turn to two runs of 15 and 40 particles.
 class KnownDataset {
 public:
     static constexpr std::size_t of_world = 80;
     static constexpr std::size_t of_log = 10;
 
-    /// turned_part: where the labels are the other way round.
+    /// turned_part: in this part the labels are the wrong way round.
     explicit KnownDataset(dataset::Part turned_part = dataset::Part::unused) {
         std::vector<std::vector<SnapshotParticle>> swarms;
         std::vector<dataset::SampleRecord> records(of_world + of_log);

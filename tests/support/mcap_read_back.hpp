@@ -22,11 +22,11 @@ struct OwnedMessage {
     bool operator==(const OwnedMessage&) const = default;
 };
 
-/// All that reading a file gives.
+/// Everything that results from reading a file.
 struct ReadBack {
     std::vector<OwnedMessage> messages;
     std::vector<LogProblem> problems;
-    std::optional<std::string> error;  ///< what ended the reading
+    std::optional<std::string> error;  ///< the error that ended the reading, if any
 };
 
 inline ReadBack read_back(ByteSource source) {

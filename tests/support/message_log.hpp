@@ -49,7 +49,7 @@ public:
         std::size_t at_ = 0;
     };
 
-    /// Must not outlive the log.
+    /// The source must not outlive the log.
     [[nodiscard]] std::unique_ptr<MessageSource> open() const { return std::make_unique<Source>(*this); }
 
 private:

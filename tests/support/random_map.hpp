@@ -7,7 +7,7 @@
 
 namespace ddtool::test {
 
-/// Cells of all three kinds at random, the corners observed.
+/// A map of random cells of all three kinds, whose corners are observed.
 inline MapRaster random_map(std::size_t width, std::size_t height) {
     constexpr std::array values{MapRaster::unknown, MapRaster::free, MapRaster::occupied};
     RandomStream random{width, height};

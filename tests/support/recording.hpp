@@ -15,7 +15,7 @@
 
 namespace ddtool::test {
 
-/// A message as ROS 1 and as ROS 2 have it.
+/// A message in the encodings of ROS 1 and ROS 2.
 struct RecordedMessage {
     std::string topic;
     std::string ros2_type;
@@ -36,7 +36,8 @@ void record(Recording& recording, const std::string& topic, std::int64_t stamp_n
     recording.push_back({topic, Message::type_name, stamp_ns, encode_ros1(message), encode_cdr(message)});
 }
 
-/// A robot that drives ahead for a second, with a scan each 100 ms, odometry each 40 ms and the laser in front of it.
+/// A recording of a robot that drives straight on for a second, with a scan every 100 ms, odometry every 40 ms, and the
+/// laser in front of the robot's centre.
 inline Recording example_recording() {
     Recording recording;
     record(recording, "/tf", 10'000'000, transform_message(10'000'000, "base", "laser", {0.2, 0.1, 0.0}));

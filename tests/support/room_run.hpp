@@ -11,7 +11,7 @@
 
 namespace ddtool {
 
-/// A drive through the furnished room, the world's origin at its start; simulated once.
+/// A drive through the furnished room. The world's origin is at its start. It is simulated once and then kept.
 inline const std::vector<SensorFrame>& room_drive() {
     static const std::vector<SensorFrame> frames = [] {
         sim::World world = furnished_room();
@@ -36,7 +36,7 @@ inline RbpfSettings few_particles(std::size_t particles = 5) {
     return settings;
 }
 
-/// The trajectory of a filter fed with all frames.
+/// The trajectory of a filter that has processed all frames.
 inline Trajectory filtered(const std::vector<SensorFrame>& frames, const RbpfSettings& settings,
                            const FilterStrategies& strategies = {}, std::size_t threads = 1) {
     ThreadPool pool(threads);

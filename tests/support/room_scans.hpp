@@ -14,7 +14,7 @@ inline sim::World room(double length_m, double width_m) {
     return world;
 }
 
-/// A room of which no two views look alike.
+/// A room in which no two views look alike.
 inline sim::World furnished_room() {
     sim::World world = room(9.0, 7.0);
     sim::add_box(world, {3.0, 2.0, 0.3}, 1.2, 0.6);
@@ -23,7 +23,7 @@ inline sim::World furnished_room() {
     return world;
 }
 
-/// A full turn without noise.
+/// A scan of a full turn without noise.
 inline SensorFrame exact_scan(const sim::World& world, const Pose2& world_from_robot, int beams, double range_max_m) {
     sim::LidarSettings lidar;
     lidar.beams = beams;

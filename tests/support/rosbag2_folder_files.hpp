@@ -19,7 +19,7 @@ inline void write_metadata(const std::filesystem::path& folder, const std::vecto
     write_file(folder / "metadata.yaml", yaml);
 }
 
-/// A recording split into parts of equal length, part_0 and so on, each written by `write`.
+/// Splits a recording into parts of equal length, part_0 and so on; `write` writes each of them.
 inline void write_folder(const std::filesystem::path& folder, const Recording& recording, std::size_t parts,
                          const std::function<void(const std::filesystem::path&, const Recording&)>& write) {
     std::filesystem::create_directory(folder);

@@ -5,7 +5,7 @@
 
 namespace ddtool::test {
 
-/// Half a minute in a room with a pillar, with a coarse lidar.
+/// A drive of half a minute through a room with a pillar, with a coarse lidar.
 class SmallRun {
 public:
     SmallRun() : filter_(settings(), threads_), stream_(world(), simulation()) {}

@@ -8,14 +8,14 @@
 
 namespace ddtool::test {
 
-/// Swarms of 30 particles that a child can tell apart: the degenerate ones are as wide along x as odometry predicts,
-/// the others a tenth of it.
+/// Swarms of 30 particles that are easy to classify: a degenerate swarm is as wide along x as odometry predicts, and
+/// any other swarm has a tenth of this width.
 inline std::vector<SnapshotParticle> clear_swarm(bool degenerate, std::uint64_t seed) {
     return normal_swarm(30, seed, {.sd_x_m = degenerate ? 0.1 : 0.01, .sd_y_m = 0.01}, 0.1);
 }
 
-/// Writes a data set of clear swarms, half of them degenerate, with both labels the same and every split alike: of
-/// ten samples six are for training, two for validation, two for test.
+/// Writes a data set of such swarms, of which half are degenerate. Both labels are the same, and so are all splits: of
+/// ten samples, six are for training, two for validation and two for the test.
 inline void write_swarm_dataset(const std::filesystem::path& folder, std::size_t count) {
     using namespace dataset;
     std::filesystem::create_directories(folder);

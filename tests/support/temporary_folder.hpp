@@ -8,7 +8,7 @@
 
 namespace ddtool::test {
 
-/// A fresh folder for the files of one test; removed with all in it.
+/// A new folder for the files of one test. It is removed at the end, with everything in it.
 class TemporaryFolder {
 public:
     TemporaryFolder() {

@@ -6,7 +6,7 @@
 
 namespace ddtool::test {
 
-/// The text of the Error of that type that `action` throws; empty when it throws none.
+/// The text of the error of type ErrorType that `action` throws, or an empty text if it throws none.
 template <typename ErrorType = Error, typename Action>
 std::string thrown_text(Action&& action) {
     try {

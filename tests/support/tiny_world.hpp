@@ -8,7 +8,7 @@
 
 namespace ddtool::test {
 
-/// A room of 4 x 4 m and one metre of way: a simulated run takes milliseconds.
+/// A room of 4 x 4 m with a route of one metre, so that a simulated run takes milliseconds.
 inline std::string write_tiny_world(const std::filesystem::path& file, double far_wall_m = 2.0) {
     const Json world{{"name", "tiny"},
                      {"description", "a room"},

@@ -7,7 +7,7 @@
 
 namespace ddtool {
 
-/// A random walk with turns, ten poses a second.
+/// A random walk with turns, with ten poses per second.
 inline Trajectory wandering_path(std::size_t poses, std::uint64_t seed) {
     RandomStream random{seed};
     Trajectory path;
@@ -19,7 +19,7 @@ inline Trajectory wandering_path(std::size_t poses, std::uint64_t seed) {
     return path;
 }
 
-/// The path with every pose off by a little.
+/// The path with a small random error in every pose.
 inline Trajectory noisy(Trajectory path, std::uint64_t seed) {
     RandomStream random{seed};
     for (StampedPose& stamped : path) {

@@ -1,4 +1,4 @@
-"""DD-Model and ddmodel-lite (docs/models.md) in plain Python PyTorch, as somebody would write them there."""
+"""DD-Model and ddmodel-lite (docs/models.md) in plain Python PyTorch, written as is usual there."""
 import torch
 from torch import nn
 
@@ -50,7 +50,7 @@ class EncoderLayer(nn.Module):
 
 
 class DDNetwork(nn.Module):
-    """[n, 1, 224, 224] to logits [n, 2]."""
+    """From images [n, 1, 224, 224] to logits [n, 2]."""
 
     def __init__(self, name):
         super().__init__()

@@ -1,5 +1,5 @@
-// time_onnx.mjs FILE.onnx SECONDS: median CPU and wall milliseconds of one image's forward pass in ONNX Runtime
-// (onnxruntime-node, found through NODE_PATH) on one thread.
+// time_onnx.mjs FILE.onnx SECONDS: prints the median CPU time and wall time, in milliseconds, of one image's forward
+// pass in ONNX Runtime (onnxruntime-node, found through NODE_PATH) on one thread.
 import { createRequire } from "node:module";
 
 const ort = createRequire(import.meta.url)("onnxruntime-node");

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""time_torch.py NETWORK step|forward|export PRECISION SECONDS [FILE.onnx]: CPU milliseconds of a training step with 32
-images, or of one image's forward pass, in Python PyTorch on one thread; or writes the network as ONNX."""
+"""time_torch.py NETWORK step|forward|export PRECISION SECONDS [FILE.onnx]: prints the CPU milliseconds of a training
+step with 32 images, or of one image's forward pass, in Python PyTorch on one thread; or writes the network as ONNX."""
 import statistics
 import sys
 import time
@@ -16,7 +16,7 @@ def images(count):
 
 
 def median_ms(run, seconds):
-    """Median CPU and wall time of `run`, after one that warms up."""
+    """The median CPU and wall time of `run`, after one run to warm up."""
     run()
     cpu_ms, wall_ms, end = [], [], time.monotonic() + seconds
     while time.monotonic() < end or len(cpu_ms) < 5:

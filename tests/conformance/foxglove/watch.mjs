@@ -1,5 +1,5 @@
-// watch.mjs DDTOOL LOG OUT: runs `ddtool slam --serve` on LOG, watches it with the client of Foxglove from the start to
-// the end, and once more after the end; decodes every message by the schema it was advertised with.
+// watch.mjs DDTOOL LOG OUT: runs `ddtool slam --serve` on LOG and watches it with the client of Foxglove, from the
+// start to the end and once more after the end. Decodes every message by the schema with which it was advertised.
 
 import assert from "node:assert/strict";
 import { spawn } from "node:child_process";
@@ -86,7 +86,7 @@ for await (const line of lines) {
 }
 assert(ended, "the run failed");
 
-// Who comes now gets the last of everything.
+// A client that connects now must get the latest message of every topic.
 const latest = new Map();
 const late = new Watcher(address, "foxglove.sdk.v1", (event) => {
   check(event);

@@ -1,4 +1,4 @@
-// What McapWriter and the readers of @mcap/core need to compress and decompress chunks.
+// The functions that McapWriter and the readers of @mcap/core need to compress and decompress chunks.
 
 import decompressLz4 from "@foxglove/wasm-lz4";
 import zstd from "@foxglove/wasm-zstd";

@@ -21,7 +21,7 @@ inline std::string unhex(const std::string& hex) {
     return bytes;
 }
 
-/// Without ids, which each writer chooses for itself.
+/// The channel without its ids, because each writer chooses ids of its own.
 inline McapChannel channel_of(const Json& json) {
     const Json& schema = json.at("schema");
     return {0,
@@ -31,7 +31,7 @@ inline McapChannel channel_of(const Json& json) {
             {0, schema.at("name"), schema.at("encoding"), schema.at("data")}};
 }
 
-/// Of an expected.json that make_samples.mjs wrote.
+/// The messages in an expected.json that make_samples.mjs wrote.
 inline std::vector<OwnedMessage> expected_messages(const std::filesystem::path& file) {
     const Json expected = read_json(file);
     std::map<std::string, McapChannel> channels;
@@ -47,7 +47,7 @@ inline std::vector<OwnedMessage> expected_messages(const std::filesystem::path& 
     return messages;
 }
 
-/// What is in a file, comparable with those.
+/// The content of a file in the form of expected_messages(), so that the two can be compared.
 inline ReadBack read_back_without_ids(const std::filesystem::path& file) {
     ReadBack result = read_back(ByteSource(file));
     for (OwnedMessage& message : result.messages) {

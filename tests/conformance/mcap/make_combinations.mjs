@@ -1,4 +1,5 @@
-// make_combinations.mjs DIR: writes the log of the samples into DIR in every combination of what a layout may have or lack.
+// make_combinations.mjs DIR: writes the log of the samples into DIR in every combination of the parts that an MCAP file
+// may have or lack.
 
 import { writeFileSync } from "node:fs";
 import { join } from "node:path";

@@ -1,5 +1,5 @@
-// make_samples.mjs DIR: writes small MCAP files with @mcap/core into DIR, one for each way to lay out a file, and
-// expected.json with what is in them. The same bytes each time.
+// make_samples.mjs DIR: writes small MCAP files with @mcap/core into DIR, one for each layout of a file, and
+// expected.json with their content. The bytes are the same each time.
 
 import { writeFileSync } from "node:fs";
 import { join } from "node:path";

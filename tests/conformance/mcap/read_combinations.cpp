@@ -1,5 +1,5 @@
 // read_mcap_combinations DIR EXPECTED_JSON: reads every MCAP file in DIR and compares its messages with the expected
-// ones. Exit status 1: one differed, was reported as damaged, or there was none.
+// ones. The exit status is 1 if a file differs or is reported as damaged, or if DIR contains no such file.
 
 #include <iostream>
 
@@ -8,7 +8,7 @@
 namespace ddtool::test {
 namespace {
 
-/// Empty for one that reads as expected.
+/// What is wrong with the file; empty if it reads as expected.
 std::string difference(const std::filesystem::path& file, const std::vector<OwnedMessage>& expected) {
     const ReadBack result = read_back_without_ids(file);
     if (result.error) {

@@ -1,4 +1,5 @@
-// One file of the ROS 2 messages that ddtool reads, encoded from their definitions by @foxglove/rosmsg2-serialization.
+// Writes one file with the ROS 2 messages that ddtool reads, encoded from their definitions by
+// @foxglove/rosmsg2-serialization.
 
 import { parse } from "@foxglove/rosmsg";
 import { MessageWriter } from "@foxglove/rosmsg2-serialization";
@@ -6,7 +7,7 @@ import { McapWriter } from "@mcap/core";
 import { compressChunk } from "./compression.mjs";
 import { MemoryFile } from "./memory_file.mjs";
 
-// Field lists of common_interfaces and geometry2, without their comments.
+// The fields of the messages in common_interfaces and geometry2, without their comments.
 const fields = {
   "builtin_interfaces/Time": ["int32 sec", "uint32 nanosec"],
   "std_msgs/Header": ["builtin_interfaces/Time stamp", "string frame_id"],

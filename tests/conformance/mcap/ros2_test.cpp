@@ -15,7 +15,8 @@ namespace {
 
 const std::filesystem::path ros2_samples = DDTOOL_MCAP_SAMPLES;
 
-/// The messages of ros2.mcap, which @foxglove/rosmsg2-serialization encoded, and what it was given.
+/// Compares the messages in ros2.mcap, which @foxglove/rosmsg2-serialization encoded, with the values that it was
+/// given.
 class Ros2Sample : public testing::Test {
 protected:
     Ros2Sample() {

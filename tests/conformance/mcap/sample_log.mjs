@@ -1,4 +1,4 @@
-// The messages of the samples, and a writer of them in any layout that McapWriter knows.
+// The messages of the samples, and a function that writes them in any layout that McapWriter offers.
 
 import { McapWriter } from "@mcap/core";
 import { compressChunk } from "./compression.mjs";

@@ -1,5 +1,5 @@
-// write_mcap_samples DIR: writes the same ROS 2 messages into DIR in every compression, in many chunks and in one, and
-// expected.json, which says what a reader must find in each. For read_back.mjs.
+// write_mcap_samples DIR: writes the same ROS 2 messages into DIR with every compression, in many chunks and in one
+// chunk, and expected.json, which states what a reader must find in each file. read_back.mjs reads them.
 
 #include <filesystem>
 #include <iostream>
@@ -23,7 +23,7 @@ struct Sample {
     std::string type;
     std::int64_t log_time_ns = 0;
     std::vector<std::byte> data;
-    Json message;  ///< as its definition names the fields
+    Json message;  ///< with the names of the fields in the message's definition
 };
 
 template <typename Message>
@@ -115,7 +115,7 @@ Sample map(std::int64_t log_time_ns) {
                    {"data", message.data}});
 }
 
-/// Not in the order of time, so that the order of the file and that of the index differ.
+/// The messages are not in the order of their times, so that the order in the file differs from that in the index.
 std::vector<Sample> samples() {
     return {transforms(20), scan(10, 5), odometry(40), scan(30, 0),  path(70),
             particles(50),  truth(60),   map(90),      scan(80, 720)};

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Reads a TensorBoard event file with nothing of ddtool's and compares it with metrics.csv: read_events.py FOLDER
+"""Reads a TensorBoard event file without any code of ddtool and compares it with metrics.csv: read_events.py FOLDER
 
 TFRecord framing: https://www.tensorflow.org/tutorials/load_data/tfrecord; protobuf's wire format:
 https://protobuf.dev/programming-guides/encoding; field numbers: tensorflow/core/util/event.proto, summary.proto.
@@ -42,7 +42,7 @@ def masked_crc32c(data):
 
 
 def records(data):
-    """The contents of the TFRecords, their checksums checked."""
+    """The contents of the TFRecords. Their checksums are checked."""
     at = 0
     while at < len(data):
         length, length_crc = struct.unpack_from("<QI", data, at)

@@ -3,7 +3,8 @@
 
 #include "train/history.hpp"
 
-/// Writes the history of a training of three epochs into the folder, then that of five, as training does.
+/// Writes the history of a training of three epochs into the folder, and then that of five epochs over it, as a
+/// training that goes on does.
 int main(int argc, char** argv) {
     try {
         if (argc != 2) {

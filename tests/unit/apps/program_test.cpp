@@ -12,7 +12,7 @@ namespace {
 using test::thrown_text;
 using testing::HasSubstr;
 
-/// Hands out the settings it was run with.
+/// A command that copies the settings it is run with into `seen`.
 Command probe(Json& seen) {
     return {
         .name = "probe",

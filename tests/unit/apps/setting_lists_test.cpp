@@ -21,7 +21,7 @@
 namespace ddtool {
 namespace {
 
-/// Reads settings as the command does that has them.
+/// Reads the settings in the same way as the command that has them.
 using Reader = std::function<void(const Json& settings)>;
 
 const std::map<std::string, Reader>& readers() {
@@ -70,7 +70,7 @@ void collect_leaves(const Json& json, const std::string& path, std::set<std::str
     }
 }
 
-/// Values beside those that a setting takes.
+/// Values that the setting must refuse.
 std::vector<Json> refused_by(const Setting& setting) {
     const Allowed& allowed = setting.allowed;
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -129,7 +129,7 @@ TEST_P(SettingLists, AllowTheirDefaults) {
     EXPECT_EQ(said(GetParam().command, GetParam().defaults), "");
     for_each_setting(GetParam().settings, [&](const std::string& path, const Setting& setting) {
         const Json& standard = setting_at(GetParam().defaults, path);
-        if (!standard.is_null()) {  // left to a preset
+        if (!standard.is_null()) {  // a null is filled in by a preset later
             expect_allowed(standard, setting.allowed, setting.unit, path);
         }
     });

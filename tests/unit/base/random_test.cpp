@@ -10,7 +10,8 @@ namespace ddtool {
 namespace {
 
 constexpr int samples = 100'000;
-/// Of the mean of `samples` draws with unit variance; five standard errors fail one time in two million.
+/// Five standard errors of the mean of `samples` draws with unit variance. A right generator exceeds this one time in
+/// two million.
 const double bound = 5.0 / std::sqrt(samples);
 
 TEST(RandomStream, SameKeysGiveTheSameStream) {
@@ -43,7 +44,7 @@ TEST(RandomStream, UniformFillsItsRangeEvenly) {
         ++counts.at(static_cast<std::size_t>(value + 3.0));
     }
     const double expected = samples / 10.0;
-    for (const int count : counts) {  // binomial
+    for (const int count : counts) {  // the counts have a binomial distribution
         EXPECT_NEAR(count, expected, 5.0 * std::sqrt(expected * 0.9));
     }
 }
@@ -57,7 +58,7 @@ TEST(RandomStream, NormalHasTheMomentsOfTheStandardNormal) {
             moments.at(static_cast<std::size_t>(power)) += std::pow(value, power) / samples;
         }
     }
-    // Var(x^k) = E(x^2k) - E(x^k)^2: 1, 2, 15, 96.
+    // The variances of x, x^2, x^3 and x^4 for a normal x: Var(x^k) = E(x^2k) - E(x^k)^2 = 1, 2, 15, 96.
     EXPECT_NEAR(moments[1], 0.0, bound);
     EXPECT_NEAR(moments[2], 1.0, bound * std::sqrt(2.0));
     EXPECT_NEAR(moments[3], 0.0, bound * std::sqrt(15.0));

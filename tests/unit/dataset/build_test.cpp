@@ -14,7 +14,7 @@ using testing::HasSubstr;
 
 class BuildTest : public ::testing::Test {
 protected:
-    /// Builds from parts alone: a run that is not there would be an error.
+    /// Builds the data set again from the stored parts. A missing run would be an error.
     [[nodiscard]] Dataset relabelled(const std::string& rule, double threshold) {
         Json changed = settings_;
         changed["labels"][rule] = threshold;

@@ -15,8 +15,8 @@ namespace {
 
 using ddtool::test::TemporaryFolder;
 
-/// Drawn samples of two scenes whose labels agree and whose R is in the order of the physical ratio, but for the
-/// weight.
+/// Random samples of two scenes. Their labels agree, and except for the weight's R their R values are in the order of
+/// the physical ratio.
 class DescriptionTest : public ::testing::Test {
 protected:
     DescriptionTest() {

@@ -24,7 +24,8 @@ LabelSettings threshold(double value) { return {"log_likelihood", value, 1.0}; }
 LabelSettings of_weight(const std::string& name) { return {name, 1.0, 1.0}; }
 LabelSettings ratio(double value) { return {"log_likelihood", 1.0, value}; }
 
-/// Beams that meet a wall of normal `normal_rad` at `reach_m` along the wall from the laser's foot.
+/// The information of two beams that hit a wall whose normal has the direction normal_rad, at the distance reach_m to
+/// each side of the foot of the perpendicular from the laser.
 Eigen::Matrix3d wall(double normal_rad, double reach_m, double information = 1e4) {
     const Eigen::Vector3d left(std::cos(normal_rad), std::sin(normal_rad), reach_m);
     const Eigen::Vector3d right(std::cos(normal_rad), std::sin(normal_rad), -reach_m);
@@ -70,7 +71,8 @@ TEST(PhysicalDegeneracy, NothingSeenIsLostEveryWay) {
 TEST(InformationOnMap, CountsTheCellAsNoiseOfTheSurface) {
     const Eigen::Matrix3d room = wall(0.0, 2.0) + wall(1.0, 2.0);
     EXPECT_TRUE(information_on_map(room, 0.02, 0.0).isApprox(room));
-    const double cell_m = 0.02 * std::sqrt(12.0);  // as uncertain as the beam: twice the variance
+    // a cell's standard deviation, cell_m / sqrt(12), is then equal to the beam's, so the variance doubles
+    const double cell_m = 0.02 * std::sqrt(12.0);
     EXPECT_TRUE(information_on_map(room, 0.02, cell_m).isApprox(0.5 * room));
 }
 
@@ -78,7 +80,7 @@ TEST(Dispersions, AreThoseOfEachWeight) {
     const std::vector<SnapshotParticle> swarm{{{}, {}, {}, -10.0, -2.0, 0.5, 0.25},
                                               {{}, {}, {}, -30.0, -2.0, 1.0, 0.75}};
     const auto [accumulated, increment, score, weight] = dispersions(swarm);
-    EXPECT_DOUBLE_EQ(accumulated, 5.0);  // var 100 / |mean| 20
+    EXPECT_DOUBLE_EQ(accumulated, 5.0);  // the variance is 100, and the magnitude of the mean 20
     EXPECT_DOUBLE_EQ(increment, 0.0);
     EXPECT_DOUBLE_EQ(score, 0.0625 / 0.75);
     EXPECT_DOUBLE_EQ(weight, 0.0625 / 0.5);

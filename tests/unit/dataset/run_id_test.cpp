@@ -9,7 +9,7 @@
 namespace ddtool::dataset {
 namespace {
 
-/// As runs of the first published data sets had it.
+/// The settings in the form in which the runs of the first published data sets stored them.
 constexpr const char* published =
     R"({"method":"anti-degeneracy","detector":"","search":"","trust":"","resampling":"","odometry":"",)"
     R"("particles":30,"update_distance_m":0.1,"update_turn_rad":0.1,"resample_share":0.3,"likelihood_gain":0.05,)"

@@ -95,7 +95,7 @@ TEST_F(SameBytesTest, WhateverWasInTheFolderBefore) {
     expect_as_whole("older");
 }
 
-/// What is written on stderr meanwhile.
+/// What the function writes on stderr.
 template <typename Function>
 std::string said_by(const Function& function) {
     testing::internal::CaptureStderr();
@@ -130,7 +130,7 @@ TEST_F(SameBytesTest, ADescriptionThatLacksSomethingIsNamedInOneLine) {
     const PlannedRun run = plan_runs(settings_).runs[1];
     const auto file = results[1].value->folder / (run.entry.id + ".json");
     const Json whole = Json::parse(read_file(file));
-    std::vector<Json> damaged{Json{{"configuration", run.key.configuration()}}};  // no part at all
+    std::vector<Json> damaged{Json{{"configuration", run.key.configuration()}}};  // a file without any part
     for (const auto& [key, value] : whole.at("part").items()) {
         Json without = whole;
         without["part"].erase(key);

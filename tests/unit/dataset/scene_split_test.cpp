@@ -21,7 +21,7 @@ std::vector<SceneCounts> drawn_scenes(std::uint64_t seed, std::size_t count) {
     return scenes;
 }
 
-/// Squared deviations from 6:2:2, as the header states them.
+/// The sum of the squared deviations from 6:2:2, as the header defines the cost.
 double cost_of(const std::vector<SceneCounts>& scenes, const std::vector<Part>& parts) {
     double cost = 0.0;
     for (std::size_t group = 0; group < 4; ++group) {
@@ -66,7 +66,7 @@ TEST(PartsOfScenes, ComeNearTheBestOfAllAssignments) {
 
 TEST(PartsOfScenes, ComeCloseToSixToTwoToTwoWhereScenesAreMany) {
     const std::vector<SceneCounts> scenes = drawn_scenes(5, 80);
-    EXPECT_LT(cost_of(scenes, parts_of_scenes(scenes)), 1e-4);  // a deviation of 0.3 % each
+    EXPECT_LT(cost_of(scenes, parts_of_scenes(scenes)), 1e-4);  // corresponds to a deviation of 0.3 % for each share
 }
 
 TEST(PartsOfScenes, AreTheSameEachTime) {

@@ -12,7 +12,7 @@ namespace {
 
 using testing::ElementsAre;
 
-/// Records of some runs with drawn labels.
+/// Records of several runs with random labels.
 std::vector<SampleRecord> drawn_records(std::uint64_t seed, std::size_t runs, std::size_t count) {
     RandomStream random({seed});
     std::vector<SampleRecord> records(count);
@@ -53,7 +53,7 @@ TEST(EvenQuotas, AddUpAndDifferByOneAtMost) {
         const std::size_t wanted = random.index(200);
         const std::vector<std::size_t> quotas = even_quotas(available, wanted);
         EXPECT_EQ(std::accumulate(quotas.begin(), quotas.end(), std::size_t{0}), std::min(all, wanted));
-        std::vector<std::size_t> limited;  // by the quota, not by what there was
+        std::vector<std::size_t> limited;  // the runs that the quota limits, not the number of their samples
         for (std::size_t run = 0; run < quotas.size(); ++run) {
             EXPECT_LE(quotas[run], available[run]);
             if (quotas[run] < available[run]) {

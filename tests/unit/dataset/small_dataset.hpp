@@ -10,7 +10,7 @@
 
 namespace ddtool::dataset::test {
 
-/// A sample whose every value is drawn.
+/// A sample all of whose values are drawn at random.
 struct DrawnSample {
     SampleRecord record;
     std::vector<SnapshotParticle> particles;

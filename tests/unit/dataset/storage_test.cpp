@@ -21,7 +21,7 @@ std::string bits(std::span<const Row> rows) {
     return {bytes_of(rows).begin(), bytes_of(rows).end()};
 }
 
-/// Two shards of three and two drawn samples.
+/// Uses two shards, of three and of two random samples.
 class StorageTest : public ::testing::Test {
 protected:
     StorageTest() {
@@ -35,7 +35,7 @@ protected:
     [[nodiscard]] std::string opening(Check check = Check::sizes) const {
         return thrown_text([&] { const Dataset opened(root_, check); });
     }
-    /// Changes one byte in the middle of a file.
+    /// Changes one byte of a file.
     void damage(const std::string& name, std::size_t at) const {
         std::string bytes = read_file(root_ / name);
         bytes[at] = static_cast<char>(bytes[at] ^ 1);
@@ -102,7 +102,7 @@ TEST_F(StorageTest, NamesAShardOfAnotherDataSet) {
 TEST_F(StorageTest, NamesAShardWithAWrongByteWhereChecksumsAreAskedFor) {
     for (const std::string name : {"shard-0000.samples.npy", "shard-0001.particles.npy"}) {
         const std::string whole = read_file(root_ / name);
-        damage(name, whole.size() - 30);  // within a label, or a weight
+        damage(name, whole.size() - 30);  // this byte belongs to a label or to a weight
         EXPECT_EQ(opening(Check::sizes), "") << name;
         EXPECT_THAT(opening(Check::checksums), HasSubstr(name + ": damaged: its CRC-32")) << name;
         write_file(root_ / name, whole);

@@ -14,8 +14,8 @@
 
 namespace ddtool::dataset::test {
 
-/// Rooms of 4 x 4 m and other sizes, one metre of way in each, two runs a room, a filter of few particles: a run takes
-/// milliseconds.
+/// The settings for rooms of 4 x 4 m and of other sizes, with a route of one metre in each, two runs per room, and a
+/// filter with few particles, so that a run takes milliseconds.
 inline Json tiny_settings(const ddtool::test::TemporaryFolder& folder, std::size_t rooms = 4) {
     Json settings = default_build_json();
     Json worlds = Json::array();
@@ -55,7 +55,7 @@ inline Dataset merge_in(const std::filesystem::path& folder, const Json& setting
     return Dataset(folder, Check::checksums);
 }
 
-/// Every file of the data set itself, by name.
+/// Every file of the data set itself, by its name.
 inline std::map<std::string, std::string> files_of(const std::filesystem::path& folder) {
     std::map<std::string, std::string> files;
     for (const auto& entry : std::filesystem::directory_iterator(folder)) {

@@ -60,7 +60,7 @@ TEST(DegenerateInput, AMillionBeamsAreAScan) {
 
 class EveryMethod : public testing::TestWithParam<std::string> {};
 
-/// Nothing in reach, one particle, and then everything again.
+/// The lidar sees nothing for a while and then everything again. The filter has a single particle.
 TEST_P(EveryMethod, GoesOnAfterABlindStretch) {
     std::vector<SensorFrame> frames = room_drive();
     for (std::size_t i = frames.size() / 3; i < frames.size() / 2; ++i) {

@@ -25,7 +25,8 @@ std::vector<Descendant> resampled(const std::vector<SnapshotParticle>& particles
 }
 
 TEST(EnhancedResampling, DropsLowWeightsAndFusesTheOthersWithTheirNearest) {
-    // 10 m is nearest to 9 m, which is dropped: its mate is 4 m. The headings stay the parents'.
+    // The particle nearest to 10 m is the one at 9 m, which is dropped, so 10 m is fused with 4 m. The headings remain
+    // those of the parents.
     const auto particles = swarm({0.0, 4.0, 9.0, 10.0}, {0.3, 0.3, 0.05, 0.35});
     const std::vector<double> fused{2.0, 2.0, NAN, 7.0};
     for (std::uint64_t seed = 0; seed < 20; ++seed) {

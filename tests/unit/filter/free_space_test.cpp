@@ -14,7 +14,7 @@ constexpr double margin_cells = 0.8;
 
 using Counts = std::map<std::pair<int, int>, int>;
 
-/// How often each cell is seen, for neighbouring beams that end at these points; all in cells.
+/// How often each cell is seen by neighbouring beams with these end points. All lengths are in cells.
 Counts seen_cells(const std::vector<Point2>& ends, Point2 origin) {
     ScanPoints points;
     for (std::size_t i = 0; i < ends.size(); ++i) {
@@ -30,7 +30,7 @@ Counts seen_cells(const std::vector<Point2>& ends, Point2 origin) {
     return counts;
 }
 
-/// Where a full turn of beams ends on the walls of a box from (0, 0) to (length, width).
+/// The end points of a full turn of beams on the walls of a box from (0, 0) to (length, width).
 std::vector<Point2> ends_on_box(double length, double width, Point2 origin, int beams) {
     std::vector<Point2> ends;
     for (int beam = 0; beam < beams; ++beam) {
@@ -47,7 +47,7 @@ std::vector<Point2> ends_on_box(double length, double width, Point2 origin, int 
 
 constexpr Point2 laser{61.3, 33.8};
 
-/// How deep a cell's centre lies in the box.
+/// The distance from the centre of a cell to the nearest wall of the box, in cells.
 double depth_cells(int x, int y) { return std::min({x + 0.5, y + 0.5, 150.0 - x - 0.5, 80.0 - y - 0.5}); }
 
 constexpr double rim_cells = margin_cells + 1.0;
@@ -73,7 +73,7 @@ TEST(FreeSpace, OfARoomIsEveryInnerCellOnce) {
             const int count = found == counts.end() ? 0 : found->second;
             if (is_inner(x, y)) {
                 EXPECT_EQ(count, 1) << x << ' ' << y;
-            } else if (depth_cells(x, y) < 0.5 + 1e-9) {  // the walls' own cells
+            } else if (depth_cells(x, y) < 0.5 + 1e-9) {  // the cells in which the walls are
                 EXPECT_EQ(count, 0) << x << ' ' << y;
             }
         }
@@ -97,7 +97,7 @@ TEST(FreeSpace, DoesNotDependOnTheWayRound) {
     EXPECT_EQ(without_rim(seen_cells(ends, laser), 0, 0), without_rim(forwards, 0, 0));
 }
 
-/// A plate 20 cells before a wall 60 cells away, over a few beams.
+/// A plate at a distance of 20 cells, which covers a few beams, in front of a wall at a distance of 60 cells.
 TEST(FreeSpace, EndsAtAnObstacle) {
     std::vector<Point2> ends;
     for (int beam = -100; beam <= 100; ++beam) {

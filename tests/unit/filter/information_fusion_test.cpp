@@ -44,7 +44,7 @@ TEST(CredibleInformation, DoesNotDependOnTheAxes) {
     EXPECT_TRUE(turned.isApprox(turn * credible_information(match, odometry, 0.01, 0.7) * turn.transpose(), 1e-9));
 }
 
-/// Along the corridor the odometry's word counts, across it and in heading the walls'.
+/// Along the corridor the result follows the odometry; across it and in heading it follows the walls.
 TEST(InformationFusion, TakesTheWayFromOdometryAndTheRestFromTheWalls) {
     KnownView view(long_corridor(), 8.0);
     const Pose2 odometry = view.pose * Pose2{0.02, 0.005, 0.001};
@@ -70,13 +70,14 @@ TEST(InformationFusion, LeavesTheMatchOfARoom) {
 
 TEST(InformationFusion, WithoutAMatchFollowsTheOdometry) {
     KnownView view(furnished_room());
-    const Pose2 odometry{50.0, 50.0, 1.0};  // in the unknown
+    const Pose2 odometry{50.0, 50.0, 1.0};  // far away from the mapped area
     const ScanMatch nothing = view.matcher.evaluate(view.grid, view.match_points, odometry * Pose2{0.1, 0.1, 0.1});
     const ScanMatch fused = InformationFusion({}).correct(view.context(nothing.pose, odometry), nothing);
     EXPECT_EQ(fused.pose, odometry);
 }
 
-/// A wheel that slipped: the walls around say where the robot is, however sure the odometry claims to be.
+/// The wheels have slipped. The surrounding walls determine where the robot is, so the fusion must follow them although
+/// the odometry claims a small error.
 TEST(InformationFusion, DoubtsOdometryThatTheScanContradicts) {
     KnownView view(furnished_room());
     const Pose2 slipped = view.pose * Pose2{0.1, 0.0, 0.0};

@@ -6,14 +6,15 @@
 
 namespace ddtool {
 
-/// A scan, the grid that it made at its true pose, and what a correction is told of a particle there.
+/// A scan, the grid that was made from it at its true pose, and the context that a correction gets for a particle
+/// there.
 struct KnownView {
     explicit KnownView(const sim::World& world, double range_max_m = 30.0)
         : points(exact_points(world, pose, 360, range_max_m)) {
         ScanInserter().insert(grid, points, pose);
     }
 
-    /// The particle was sampled and, by odometry, is expected at these poses.
+    /// The context of a particle that was sampled at `predicted`, while the odometry expects it at `odometry`.
     MatchContext context(const Pose2& predicted, const Pose2& odometry, double odometry_sd_m = 0.003,
                          double odometry_sd_rad = 0.0005) {
         Eigen::Vector3d information(odometry_sd_m, odometry_sd_m, odometry_sd_rad);
@@ -27,7 +28,7 @@ struct KnownView {
                 .odometry_information = information.asDiagonal(),
                 .degeneracy = {}};
     }
-    /// Where the particle was sampled at the odometry's pose, in a swarm of that degree.
+    /// The context of a particle that was sampled at the odometry's pose, in a swarm with this degree of degeneracy.
     MatchContext context_of_degree(double degree, const Pose2& odometry, double odometry_sd_m = 0.003,
                                    double odometry_sd_rad = 0.0005) {
         MatchContext result = context(odometry, odometry, odometry_sd_m, odometry_sd_rad);
@@ -44,7 +45,7 @@ struct KnownView {
     PosePrior prior{0.04, 0.04, 0.03};
 };
 
-/// Two walls along x, their ends out of range.
+/// Two walls along x, whose ends are out of the lidar's range.
 inline sim::World long_corridor() { return room(200.0, 2.0); }
 
 }  // namespace ddtool

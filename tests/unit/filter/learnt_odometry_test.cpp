@@ -17,11 +17,11 @@ const Eigen::Matrix3d lost_along = Eigen::Vector3d(0.0, 1e5, 1e6).asDiagonal();
 struct Truth {
     double scale = 1.02;
     double bias_rad_per_s = -4e-4;
-    double noise_m = 0.02;     ///< per root metre
-    double noise_rad = 0.002;  ///< per root metre
+    double noise_m = 0.02;     ///< standard deviation per square root of a metre
+    double noise_rad = 0.002;  ///< standard deviation per square root of a metre
 };
 
-/// Drives straight on in steps of 0.1 m and 0.1 s.
+/// Drives straight on in steps of 0.1 m, each of which takes 0.1 s.
 void drive(LearntOdometry& odometry, double way_m, const Truth& truth, const Eigen::Matrix3d& information) {
     RandomStream random{7};
     const double root = std::sqrt(0.1);

@@ -17,7 +17,7 @@ namespace {
 
 constexpr int radius = OccupancyGrid::field_radius;
 constexpr int units = NearestPoint::units_per_cell;
-/// Lies across four patches, on both sides of zero.
+/// A region that covers parts of four patches, on both sides of zero.
 constexpr CellBox region{-10, -9, 8, 7};
 
 void for_each_cell(const CellBox& box, const std::function<void(Cell)>& visit) {
@@ -41,7 +41,7 @@ NearestPoint random_offset(RandomStream& random) {
     return {x, part()};
 }
 
-/// Hits and passes at random; `offset_of` says where in a cell a hit lands.
+/// Adds hits and passes at random. `offset_of` gives the position of a hit within its cell.
 void add_random_observation(OccupancyGrid& grid, RandomStream& random,
                             const std::function<NearestPoint(Cell)>& offset_of) {
     const Cell cell = random_cell(random);
@@ -52,13 +52,14 @@ void add_random_observation(OccupancyGrid& grid, RandomStream& random,
     }
 }
 
-/// From the centre of `cell` to the mean of `other`, in the field's units.
+/// The vector from the centre of `cell` to the mean of the hits in `other`, in the field's units.
 std::pair<int, int> seen_from(const OccupancyGrid& grid, Cell cell, Cell other) {
     const NearestPoint mean = grid.nearest(other);
     return {units * (other.x - cell.x) + mean.x, units * (other.y - cell.y) + mean.y};
 }
 
-/// Squared distance to the nearest occupied mean around the cell by search; none: the largest int.
+/// The squared distance to the nearest mean of an occupied cell, found by a search around the cell; the largest int if
+/// there is none.
 int searched_distance(const OccupancyGrid& grid, Cell cell) {
     int least = std::numeric_limits<int>::max();
     for_each_cell(widened({cell.x, cell.y, cell.x + 1, cell.y + 1}, radius), [&](Cell other) {
@@ -116,7 +117,8 @@ TEST(OccupancyField, IsTheNearestPointWhereHitsFallOnOnePointACell) {
     }
 }
 
-/// A mean that moves takes its cells along, so another may have become nearer, by no more than it moved in its cell.
+/// When a mean moves, the cells that point at it follow it. Another mean may then be nearer, but by no more than the
+/// mean has moved within its cell.
 TEST(OccupancyField, PointsAtAPresentMeanWhereMeansMove) {
     RandomStream random{2};
     OccupancyGrid grid{OccupancySettings{}};

@@ -40,7 +40,7 @@ TEST(PatchPointer, WritingNeverReachesTheEmptyPatch) {
                             [](std::int8_t value) { return value == Patch::unknown; }));
 }
 
-/// Pointers that are copied, moved, written and dropped at random, beside plain values that never share.
+/// Copies, moves, writes and drops pointers at random, and compares them with plain values, which never share anything.
 TEST(PatchPointer, BehavesAsAValueAndCountsItsOwners) {
     constexpr std::size_t slots = 6;
     RandomStream random{1};
@@ -75,8 +75,8 @@ TEST(PatchPointer, BehavesAsAValueAndCountsItsOwners) {
     }
 }
 
-/// Owners on several threads run through the same patches, each writes and the last one finds itself alone; for the
-/// thread sanitizer, and for leaks.
+/// Owners on several threads write to the same patches, and the last one becomes their only owner. The test is meant
+/// for the thread sanitizer and for the search for leaks.
 TEST(PatchPointer, OwnersOnManyThreadsKeepTheirOwnContent) {
     constexpr std::size_t owners = 4;
     ThreadPool threads(owners);

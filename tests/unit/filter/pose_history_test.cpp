@@ -9,7 +9,7 @@
 namespace ddtool {
 namespace {
 
-/// The same tree by shared pointers, which counts its living nodes.
+/// A model of the same tree with shared pointers. It counts the nodes that exist.
 struct ModelNode {
     explicit ModelNode(std::shared_ptr<ModelNode> its_parent, const Pose2& its_pose)
         : parent(std::move(its_parent)), pose(its_pose) {
@@ -80,7 +80,7 @@ TEST(PoseHistory, KeepsThePathsOfTheLivingAndNothingElse) {
     EXPECT_EQ(history.size(), 0U);
 }
 
-/// Lines of descent meet a few resamplings back, so the tree is hardly larger than one path.
+/// The ancestors of all particles meet a few resamplings back, so the tree is hardly larger than a single path.
 TEST(PoseHistory, OfAResampledSwarmGrowsWithTheRunAlone) {
     constexpr std::size_t particles = 30;
     constexpr std::size_t updates = 1'000;

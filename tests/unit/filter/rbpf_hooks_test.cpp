@@ -28,7 +28,7 @@ std::vector<Update> updates_of(const RbpfSettings& settings, const FilterStrateg
     return updates;
 }
 
-/// Of the updates that moved the robot.
+/// The snapshots of the updates at which the robot had moved.
 std::vector<ParticleSnapshot> snapshots_of(const RbpfSettings& settings) {
     std::vector<ParticleSnapshot> snapshots;
     for (Update& update : updates_of(settings)) {
@@ -127,7 +127,7 @@ TEST(Correction, ThatKeepsTheMatchChangesNothing) {
     }
 }
 
-/// Believes odometry, whatever was matched.
+/// Always returns the odometry's pose, whatever the match is.
 class TrustOdometry : public PoseCorrection {
 public:
     ScanMatch correct(const MatchContext& context, const ScanMatch& found) const override {
@@ -190,7 +190,8 @@ TEST(Correction, PutsTheParticleWhereItSays) {
     }
 }
 
-/// Checks that it is shown the past of the particle believed now, whichever that is and however often that changes.
+/// Records the past poses of the best particle, as the filter passes them to learn(). The best particle may change from
+/// update to update.
 class WatchesThePast : public FixedOdometry {
 public:
     WatchesThePast() : FixedOdometry(RbpfSettings{}.motion) {}
@@ -207,7 +208,7 @@ public:
 };
 
 TEST(Odometry, LearnsFromThePastOfTheParticleBelievedNow) {
-    WatchesThePast* odometry = nullptr;  // the filter's own
+    WatchesThePast* odometry = nullptr;  // points to the object inside the filter
     FilterStrategies strategies;
     strategies.odometry = [&] {
         auto made = std::make_unique<WatchesThePast>();
@@ -235,7 +236,7 @@ TEST(Odometry, LearnsFromThePastOfTheParticleBelievedNow) {
     EXPECT_EQ(updates, odometry->path);
 }
 
-/// Puts copies of the second particle beside each other.
+/// Replaces all particles by copies of the second one, which lie beside each other.
 class SecondOnly : public Resampling {
 public:
     std::vector<Descendant> resample(std::span<const SnapshotParticle> particles,

@@ -25,7 +25,7 @@ std::vector<SensorFrame> without_returns(std::vector<SensorFrame> frames) {
     return frames;
 }
 
-/// Where odometry alone puts the robot.
+/// The poses that follow from odometry alone.
 Trajectory by_odometry(const std::vector<SensorFrame>& frames) {
     Trajectory trajectory;
     for (const SensorFrame& frame : frames) {
@@ -111,7 +111,8 @@ TEST(Rbpf, StaysFiniteWhenOdometryJumps) {
 
 TEST(Rbpf, BeforeTheFirstScanHasNoTrajectory) { EXPECT_TRUE(filtered({}, few_particles()).empty()); }
 
-/// The last pose is what was said when the scan was taken; nothing later could correct it.
+/// The last pose of the trajectory is the pose that the filter reported for the last scan, because nothing later could
+/// have corrected it.
 TEST(Rbpf, TrajectoryEndsAtThePresentPose) {
     ThreadPool threads(1);
     Rbpf filter(few_particles(), threads);
@@ -121,7 +122,7 @@ TEST(Rbpf, TrajectoryEndsAtThePresentPose) {
     }
 }
 
-/// A straight way of updates that see nothing.
+/// A straight drive of many updates in which the lidar sees nothing.
 std::vector<SensorFrame> long_drive(std::size_t updates) {
     std::vector<SensorFrame> frames(updates, without_returns({room_drive().front()}).front());
     for (std::size_t i = 0; i < updates; ++i) {
@@ -131,11 +132,11 @@ std::vector<SensorFrame> long_drive(std::size_t updates) {
     return frames;
 }
 
-/// Settling happens at each 1024th update and leaves the last 1024 alone.
+/// The filter settles the common past at every 1024th update and leaves the last 1024 updates as they are.
 TEST(Rbpf, ThePastThatAllParticlesShareStaysAsItWas) {
     const std::vector<SensorFrame> frames = long_drive(2'300);
     RbpfSettings settings = few_particles(3);
-    settings.resample_share = 1.1;  // always, so that lines of descent meet
+    settings.resample_share = 1.1;  // resamples at every update, so that the particles soon have a common ancestor
     ThreadPool threads(1);
     Rbpf filter(settings, threads);
     std::vector<Pose2> before;
@@ -153,7 +154,7 @@ TEST(Rbpf, ThePastThatAllParticlesShareStaysAsItWas) {
     EXPECT_EQ(after, before);
 }
 
-/// Three pasts that never meet, and one.
+/// Without resampling: three particles whose paths have no common ancestor, and a single particle.
 TEST(Rbpf, NoLongDriveLosesAPose) {
     const std::vector<SensorFrame> frames = long_drive(2'300);
     for (const std::size_t particles : {1U, 3U}) {

@@ -74,7 +74,7 @@ TEST(ScanInsertion, FreesNothingBehindAnObstacle) {
     for_each_observed(grid, [&](Cell cell) {
         const double x_m = 0.05 * (cell.x + 0.5);
         const double y_m = 0.05 * (cell.y + 0.5);
-        // The shadow of the box's front side, a cell smaller on each side.
+        // This is the shadow of the box's front side, without a margin of one cell on each side.
         EXPECT_FALSE(x_m > 1.9 && std::abs(y_m) < x_m / 1.8 - 0.06) << x_m << ' ' << y_m;
     });
 }

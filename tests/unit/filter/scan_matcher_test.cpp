@@ -14,7 +14,7 @@
 namespace ddtool {
 namespace {
 
-/// A power of two, so that moving by whole cells rounds nothing.
+/// A power of two, so that moving by whole cells causes no rounding errors.
 constexpr double cell_m = 0.0625;
 constexpr PosePrior loose{1.0, 1.0, 1.0};
 
@@ -28,7 +28,7 @@ OccupancyGrid grid_with(const ScanPoints& points, const Pose2& pose) {
 
 ScanMatcher matcher() { return {ScanMatcherSettings{}, cell_m}; }
 
-/// A view of the furnished room with the grid that this very scan made.
+/// A view of the furnished room, and the grid that was made from the same scan.
 struct View {
     Pose2 pose{0.21, -0.33, 0.4};
     ScanPoints points = exact_points(furnished_room(), pose);
@@ -132,7 +132,7 @@ TEST(ScanMatcher, LikelihoodFallsWithTheDistance) {
     }
 }
 
-/// The points of the robot's left or right side, apart from each other.
+/// The points on the left or the right side of the robot, each group without the other.
 ScanPoints side_of(const ScanPoints& all, bool left) {
     ScanPoints side;
     side.origin_m = all.origin_m;

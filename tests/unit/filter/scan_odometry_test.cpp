@@ -41,7 +41,7 @@ std::vector<SensorFrame> with_scan_odometry(const std::vector<SensorFrame>& fram
     return result;
 }
 
-/// Largest distance between the motions since the first frame.
+/// The largest distance between the estimated and the true motion since the first frame.
 double largest_odometry_error_m(const std::vector<SensorFrame>& frames) {
     double largest = 0.0;
     for (const SensorFrame& frame : frames) {
@@ -62,7 +62,7 @@ TEST(ScanOdometry, LeavesEverythingElseAsItIs) {
     const std::vector<SensorFrame> frames = with_scan_odometry(room_drive());
     for (std::size_t i = 0; i < frames.size(); ++i) {
         EXPECT_EQ(frames[i].scan.stamp_ns, room_drive()[i].scan.stamp_ns);
-        const std::vector<float>& ranges_m = room_drive()[i].scan.ranges_m;  // with NaN among them
+        const std::vector<float>& ranges_m = room_drive()[i].scan.ranges_m;  // contains NaN values
         ASSERT_EQ(frames[i].scan.ranges_m.size(), ranges_m.size());
         EXPECT_EQ(std::memcmp(frames[i].scan.ranges_m.data(), ranges_m.data(), ranges_m.size() * sizeof(float)), 0);
         EXPECT_EQ(frames[i].robot_from_laser, room_drive()[i].robot_from_laser);

@@ -14,7 +14,7 @@ namespace {
 
 using testing::ElementsAre;
 
-/// Squares of numbers, kept in a map.
+/// The jobs compute squares of numbers, and the results are kept in a map.
 class RunnerTest : public ::testing::Test {
 protected:
     [[nodiscard]] Job<int> square_of(int number) {

@@ -14,11 +14,11 @@ using testing::HasSubstr;
 
 class StoreTest : public ::testing::Test {
 protected:
-    /// The number that is stored under the key; -1: none.
+    /// The number that is stored under the key, or -1 if there is none.
     [[nodiscard]] int found(const Key& key) const {
         return store_.find(key, [](const Json& json) { return json.get<int>(); }).value_or(-1);
     }
-    /// The same, with what it says on stderr.
+    /// What looking up the key writes on stderr.
     [[nodiscard]] std::string said_for(const Key& key) const {
         testing::internal::CaptureStderr();
         EXPECT_EQ(found(key), -1);

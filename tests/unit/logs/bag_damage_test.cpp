@@ -39,8 +39,8 @@ TEST_P(BagDamage, ABagThatWasNeverClosedGivesAllItsMessages) {
     EXPECT_THAT(log.problems, ElementsAre(HasSubstr("was never closed")));
 }
 
-/// Wherever it is cut off: the frames are the first of the whole bag, and the loss is told. The last frames may have
-/// lost the odometry behind them.
+/// Cuts the bag off at many places. The frames must be the first frames of the whole bag, and the loss must be
+/// reported. The last frames may lack the odometry that followed them in the file.
 TEST_P(BagDamage, ABagThatIsCutOffGivesWhatCameBefore) {
     const std::size_t index = whole_.chunk_offsets().back();
     RandomStream random{5};
@@ -58,7 +58,7 @@ TEST_P(BagDamage, ABagThatIsCutOffGivesWhatCameBefore) {
     }
 }
 
-/// The first chunk defines the connections: they come from the index.
+/// The damaged first chunk holds the definitions of the connections, so they must be read from the index.
 TEST_P(BagDamage, ADamagedChunkIsSkipped) {
     std::string bytes = whole_.bytes();
     const std::size_t size_field = bytes.find("size=", whole_.chunk_offsets().front());
@@ -79,7 +79,8 @@ TEST(BagDamageTest, AChunkThatDoesNotDecompressIsSkipped) {
     EXPECT_THAT(log.frames, testing::Not(IsEmpty()));
 }
 
-/// A length of 2^31 in place of each length of the file: no memory is asked for, and one line tells.
+/// Replaces each length in the file by 2^31. The reader must not allocate that much memory, and must report it in one
+/// line.
 TEST(BagDamageTest, HugeLengthsAreTold) {
     const BagFile whole(test::example_recording(), {});
     const std::string huge = BagFile::raw(std::uint32_t{1} << 31U);
@@ -93,7 +94,7 @@ TEST(BagDamageTest, HugeLengthsAreTold) {
     }
 }
 
-/// No byte changed at random brings the reader down, or goes on for ever.
+/// Changes random bytes. The reader must neither crash nor run for ever.
 TEST_P(BagDamage, AnyByteMayBeWrong) {
     RandomStream random{9};
     for (int repetition = 0; repetition < 100; ++repetition) {

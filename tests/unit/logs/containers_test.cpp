@@ -17,7 +17,7 @@ using test::BagFile;
 using test::BagOptions;
 using test::Recording;
 
-/// A way to store a recording.
+/// One way to store a recording.
 struct Container {
     std::string name;
     std::string format;
@@ -51,7 +51,7 @@ std::vector<Container> containers() {
 
 class Containers : public testing::TestWithParam<Container> {};
 
-/// MCAP is the measure; the file's name says nothing.
+/// The frames of every container must be the same as those of MCAP. The name of the file must not matter.
 TEST_P(Containers, GiveTheFramesOfTheSameMessages) {
     const test::TemporaryFolder folder;
     const Recording recording = test::example_recording();
@@ -72,7 +72,7 @@ TEST_P(Containers, GiveTheFramesOfTheSameMessages) {
 INSTANTIATE_TEST_SUITE_P(All, Containers, testing::ValuesIn(containers()),
                          [](const auto& container) { return container.param.name; });
 
-/// A file cut short, which every reader reports.
+/// A file that was cut off, which every reader must report.
 class CutFile : public testing::TestWithParam<std::string> {
 protected:
     CutFile() {

@@ -13,7 +13,7 @@
 namespace ddtool {
 namespace {
 
-/// Stamps step back in the middle; the third frame has no ground truth.
+/// In these frames the stamps step back in the middle, and the third frame has no ground truth.
 SensorFrame some_frame(int number) {
     constexpr std::array<std::int64_t, 5> stamps_ns{10, 20, 15, 30, 40};
     SensorFrame frame;

@@ -39,7 +39,7 @@ protected:
 
 bool never() { return false; }
 
-/// Whatever the recorder writes at a time, and however fast.
+/// The recorder may write any number of bytes at a time, at any speed.
 TEST_F(Followed, AFileThatGrowsGivesTheFramesOfTheWhole) {
     append("");
     std::thread recorder([this] {

@@ -30,7 +30,7 @@ protected:
     const test::Recording recording_ = test::example_recording();
 };
 
-/// Every message is counted under its topic, whatever the container.
+/// Every message must be counted under its topic, in every container.
 TEST_F(Inventory, CountsWhatWasRecorded) {
     test::write_mcap(folder_ / "a.mcap", recording_);
     test::write_db3_folder(folder_ / "folder", recording_, 4);

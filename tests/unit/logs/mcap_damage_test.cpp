@@ -20,7 +20,7 @@ bool is_prefix(const std::vector<OwnedMessage>& part, const std::vector<OwnedMes
     return part.size() <= whole.size() && std::equal(part.begin(), part.end(), whole.begin());
 }
 
-/// Where the first record of a type starts, walking over the records from the file's start.
+/// The offset of the first record of a type, found by walking over the records from the start of the file.
 std::size_t find_record(const std::string& file, McapOpcode opcode) {
     std::size_t at = mcap_magic.size();
     for (;;) {
@@ -36,12 +36,12 @@ std::string text_of(const McapFieldWriter& fields) {
     return {reinterpret_cast<const char*>(fields.bytes().data()), fields.size()};
 }
 
-/// The file with the length of the first record of a type replaced.
+/// The file, in which the length of the first record of a type is replaced.
 std::string with_length(std::string file, McapOpcode opcode, std::uint64_t length) {
     return file.replace(find_record(file, opcode) + 1, sizeof(length), text_of(McapFieldWriter().put(length)));
 }
 
-/// A file of nothing but one chunk, with the header that is given.
+/// A file that consists of a single chunk with the given header.
 std::string chunk_file(std::uint64_t uncompressed_size, std::string_view compression, std::span<const std::byte> data) {
     McapFieldWriter chunk;
     chunk.put(std::uint64_t{0}).put(std::uint64_t{0}).put(uncompressed_size).put(std::uint32_t{0});
@@ -81,7 +81,7 @@ TEST_P(McapDamage, AFlippedBitIsReportedOrHarmless) {
         const ReadBack result = read_back(flipped);
         const bool reported = result.error || !result.problems.empty();
         ASSERT_TRUE(reported || result.messages == whole.messages) << "bit " << bit;
-        // One bit can turn a Message Index into a Message; the CRC of the data section tells.
+        // A changed bit can turn a Message Index into a Message, which only the CRC of the data section reveals.
         ASSERT_LE(result.messages.size(), whole.messages.size() + 1) << "bit " << bit;
     }
 }

@@ -14,7 +14,7 @@ using testing::Field;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-/// Records put together by hand, for what our writer does not write.
+/// Builds files record by record, for layouts that our writer does not produce.
 class Records {
 public:
     Records& header() { return record(McapOpcode::header, McapFieldWriter().put_string("").put_string("test")); }
@@ -52,7 +52,7 @@ public:
         return *this;
     }
     Records& data_end() { return record(McapOpcode::data_end, McapFieldWriter().put(std::uint32_t{0})); }
-    /// A whole file, without CRCs or a summary.
+    /// A whole file, without CRCs and without a summary.
     [[nodiscard]] std::string file() const { return Records(*this).data_end().file_without_data_end(); }
     [[nodiscard]] std::string file_without_data_end() const {
         McapFieldWriter file;

@@ -16,15 +16,15 @@
 
 namespace ddtool::test {
 
-/// From a stream of unknown length, as from a pipe.
+/// Reads the file as a stream of unknown length, such as a pipe.
 inline ReadBack read_back(const std::string& file) {
     return read_back(ByteSource(std::make_unique<std::istringstream>(file), "test.mcap"));
 }
 
 inline std::span<const std::byte> bytes_of(const std::string& text) { return std::as_bytes(std::span(text)); }
 
-/// A file of three channels (two of one schema, one of none) with `count` messages of pseudorandom content, half of it
-/// compressible.
+/// A file with three channels (two with the same schema, one without any) and `count` messages of pseudorandom content,
+/// half of which can be compressed.
 inline std::string example_file(const McapWriterOptions& options, std::size_t count) {
     const TemporaryFolder folder;
     const auto path = folder / "example.mcap";
@@ -39,7 +39,7 @@ inline std::string example_file(const McapWriterOptions& options, std::size_t co
         for (std::size_t byte = 0; byte < data.size() / 2; ++byte) {
             data[byte] = static_cast<char>(random.index(256));
         }
-        // The times step backwards now and then, as some recordings' do.
+        // The times step backwards now and then, as they do in some recordings.
         writer.write(channels[random.index(3)], static_cast<std::int64_t>(1000 * index + random.index(3000)),
                      bytes_of(data));
     }

@@ -20,7 +20,7 @@ std::optional<std::vector<PoseReading>> decoded_odometry(double x_m) {
 }
 
 TEST(DecodePoses, TakesNoPlaceThatCannotBe) {
-    EXPECT_TRUE(decoded_odometry(6.4e6));  // from the centre of the Earth
+    EXPECT_TRUE(decoded_odometry(6.4e6));  // the radius of the Earth: positions may be relative to its centre
     EXPECT_FALSE(decoded_odometry(-2e9));
     EXPECT_FALSE(decoded_odometry(1e300));
     EXPECT_FALSE(decoded_odometry(std::numeric_limits<double>::infinity()));

@@ -134,7 +134,7 @@ TEST_F(Log, ComposesTheMountingFromSeveralTransforms) {
     EXPECT_TRUE(stream_->summary().assumptions.empty());
 }
 
-/// Where a beam of the scan ends, seen from the robot: must not depend on how the mounting is expressed.
+/// The end point of a beam, seen from the robot. It must not depend on how the mounting is expressed.
 TEST_F(Log, MirrorsAScanThatIsMountedUpsideDown) {
     const Eigen::Isometry3d base_from_laser = Eigen::Translation3d(0.3, -0.2, 0.5) *
                                               Eigen::AngleAxisd(0.7, Eigen::Vector3d::UnitZ()) *

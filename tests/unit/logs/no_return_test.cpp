@@ -24,7 +24,7 @@ TEST_P(NoReturnCode, IsFoundAmongEchoes) {
     EXPECT_EQ(find_no_return_code(ranges), GetParam());
 }
 
-// SICK LMS in centimetre and millimetre mode, a short and a long range lidar.
+// The SICK LMS in centimetre mode and in millimetre mode, and lidars with a short and with a long range.
 INSTANTIATE_TEST_SUITE_P(Lidars, NoReturnCode, testing::Values(81.83F, 81.91F, 8.191F, 5.6F, 50.0F));
 
 TEST(NoReturn, RareHigherCodesDoNotHideTheUsualOne) {

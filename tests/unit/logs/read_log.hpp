@@ -10,15 +10,15 @@
 
 namespace ddtool::test {
 
-/// All that reading a log gives.
+/// Everything that results from reading a log.
 struct ReadLog {
     std::vector<SensorFrame> frames;
     std::vector<std::string> problems;
     LogSummary summary;
-    std::string error;  ///< what ended the reading; empty: its end
+    std::string error;  ///< the error that ended the reading; empty if the log was read to its end
 };
 
-/// `open` makes the stream, of the handler that it is given.
+/// Reads all frames. `open` makes the stream with the problem handler that it is given.
 inline ReadLog read_all(const std::function<std::unique_ptr<LogStream>(LogProblemHandler)>& open) {
     ReadLog result;
     try {
@@ -37,7 +37,7 @@ inline ReadLog read_all(const std::filesystem::path& path) {
     return read_all([&](const LogProblemHandler& on_problem) { return open_log(path, {}, on_problem); });
 }
 
-/// Equal to the bit.
+/// Whether the frames are equal, bit by bit.
 inline bool same(const SensorFrame& a, const SensorFrame& b) {
     const auto same_pose = [](const Pose2& p, const Pose2& q) {
         return p.x_m == q.x_m && p.y_m == q.y_m && p.theta_rad == q.theta_rad;
@@ -48,7 +48,7 @@ inline bool same(const SensorFrame& a, const SensorFrame& b) {
            same_pose(a.odom_from_robot, b.odom_from_robot);
 }
 
-/// Whether these are frames of the other log, from its start.
+/// Whether `start` consists of the first frames of `whole`.
 inline bool begins_with(const std::vector<SensorFrame>& whole, const std::vector<SensorFrame>& start) {
     return start.size() <= whole.size() && std::equal(start.begin(), start.end(), whole.begin(), same);
 }

@@ -10,7 +10,7 @@
 namespace ddtool {
 namespace {
 
-/// Fills every field with something else, so that swapped fields and wrong alignment show.
+/// Gives every field another value, so that exchanged fields and wrong alignment are noticed.
 class Filler {
 public:
     void operator()(auto&... values) { (fill(values), ...); }
@@ -56,7 +56,7 @@ using Messages = testing::Types<RosTFMessage, RosLaserScan, RosOdometry, RosPose
                                 RosOccupancyGrid, RosFloat64MultiArray, RosParticleSnapshot>;
 TYPED_TEST_SUITE(RosCodec, Messages);
 
-/// Messages have no comparison; the ROS 1 bytes, which are without padding, tell all their fields.
+/// Messages have no operator==. Their ROS 1 encodings are compared instead, which contain all fields and no padding.
 template <typename Message>
 void expect_same_message(const std::optional<Message>& decoded, const Message& message) {
     ASSERT_TRUE(decoded);
@@ -72,7 +72,8 @@ TYPED_TEST(RosCodec, CdrGoesThereAndBackInBothByteOrders) {
     }
 }
 
-/// Leaves freed memory behind that holds `value`.
+/// Leaves freed memory behind that is filled with `value`, so that reading uninitialised memory gives different
+/// results.
 void litter(char value) {
     std::vector<std::string> blocks;
     for (std::size_t size = 16; size < 4096; size += 16) {
@@ -92,7 +93,7 @@ TYPED_TEST(RosCodec, CdrCutOffAnywhereIsRefused) {
     for (const std::endian endian : {std::endian::little, std::endian::big}) {
         const std::vector<std::byte> data = encode_cdr(filled<TypeParam>(), endian);
         for (std::size_t length = 0; length < data.size(); ++length) {
-            // A copy of its own size, so that the address sanitizer sees a read beyond it.
+            // The copy has exactly this size, so that the address sanitizer notices a read beyond its end.
             const std::vector<std::byte> cut(data.begin(), data.begin() + static_cast<std::ptrdiff_t>(length));
             EXPECT_FALSE(decode_cdr<TypeParam>(cut)) << length;
         }
@@ -140,7 +141,8 @@ TEST(Cdr, IsLaidOutAsTheSpecificationSays) {
     message.header = {{2'000'000'003}, "map"};
     message.pose.position.x = 1.0;
     const std::vector<std::byte> data = encode_cdr(message);
-    // Encapsulation 4, sec 4, nanosec 4, length 4 + "map\0", then doubles aligned to 8 after the encapsulation.
+    // 4 bytes of encapsulation, 4 of sec, 4 of nanosec, 4 of length and "map\0"; then the doubles, aligned to 8 bytes
+    // counted from the end of the encapsulation.
     ASSERT_EQ(data.size(), 4U + 16U + 56U);
     const auto word = [&](std::size_t at) { return std::to_integer<int>(data[at]); };
     EXPECT_EQ(word(4), 2);

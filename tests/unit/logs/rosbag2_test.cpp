@@ -131,7 +131,7 @@ TEST(Db3, DamagedMessagesAreToldByRow) {
     EXPECT_THAT(read_all(folder / "log").problems, ElementsAre(HasSubstr("near row 3")));
 }
 
-/// Cut off or with wrong bytes: what can be read is given, and the loss told in lines.
+/// Databases that are cut off or contain wrong bytes. What can be read is returned, and the loss is reported.
 TEST(Db3, DamagedDatabasesDoNotBringTheReaderDown) {
     const test::TemporaryFolder folder;
     test::write_db3(folder / "log", test::example_recording());

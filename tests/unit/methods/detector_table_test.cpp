@@ -50,7 +50,7 @@ TEST(DetectorTable, LoadsFilesByTheirEnding) {
                 testing::HasSubstr("a file *.pt"));
 }
 
-/// Answers 1, 2, 3 and so on, one more each time it is asked.
+/// A detector that answers 1, 2, 3 and so on, one more each time it is asked.
 DegeneracyDetector counting() {
     return [calls = 0](const ParticleSnapshot&) mutable { return Degeneracy{static_cast<double>(++calls)}; };
 }

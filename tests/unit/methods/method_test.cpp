@@ -78,7 +78,7 @@ TEST(Methods, EachPartOfThePapersChangesTheOutcomeAlone) {
     for (const auto part : {&MethodParts::search, &MethodParts::trust, &MethodParts::resampling}) {
         FilterSettings settings = settings_of("gmapping");
         settings.rbpf.resample_share = 1.0;
-        settings.rbpf.matcher.max_iterations = 0;  // so that there is something left to search
+        settings.rbpf.matcher.max_iterations = 0;  // leaves something for the search to improve
         const std::vector<Pose2> without = poses_of(run(settings));
         settings.method.parts.detector = "always";
         settings.method.parts.*part = paper.*part;

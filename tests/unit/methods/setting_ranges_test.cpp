@@ -11,7 +11,7 @@
 namespace ddtool {
 namespace {
 
-/// A few scans far enough from each other for an update each.
+/// A few scans, far enough from each other that each of them causes an update.
 const std::vector<SensorFrame>& few_scans() {
     static const std::vector<SensorFrame> scans = [] {
         constexpr std::size_t every = 8;
@@ -40,13 +40,13 @@ private:
     std::size_t given_ = 0;
 };
 
-/// Large swarms take long and are no other case than small ones.
+/// Large swarms take long and test nothing that small ones do not.
 constexpr double most_particles = 8.0;
 
 double least_of(const Setting& setting) { return setting.allowed.least; }
 double most_of(const Setting& setting) { return setting.key == "particles" ? most_particles : setting.allowed.most; }
 
-/// Every magnitude is as likely as another where the range is all above 0.
+/// A random value of the setting's range. If the range lies above 0, every order of magnitude is equally likely.
 double drawn(const Setting& setting, RandomStream& random) {
     const double least = least_of(setting);
     const double most = most_of(setting);
@@ -85,7 +85,7 @@ void expect_finite(const Json& json, const std::string& what) {
     EXPECT_TRUE(filter->pose_covariance().allFinite()) << what;
 }
 
-/// The method in whose hands a setting does something.
+/// A method in which the setting has an effect.
 std::string method_of(const std::string& path) {
     const std::string group = path.substr(0, path.find('.'));
     if (group == "coarse_fine" || group == "enhanced_resampling") {
@@ -97,7 +97,7 @@ std::string method_of(const std::string& path) {
     return group == "eigenvalue_gate" ? "fisher-gate" : "anti-degeneracy";
 }
 
-/// The ends of each range, and a value between, one setting at a time. All methods lean on the settings of the filter.
+/// Tries the ends of each range and a value in between, one setting at a time.
 TEST(SettingRanges, HoldNoValueThatGivesPosesThatAreNoNumbers) {
     RandomStream random{1};
     for_each_setting(filter_setting_list(), [&](const std::string& path, const Setting& setting) {
@@ -114,7 +114,7 @@ TEST(SettingRanges, HoldNoValueThatGivesPosesThatAreNoNumbers) {
     });
 }
 
-/// All at once. The lattice of correlative is left out: a large one takes minutes.
+/// Draws all settings at once. The lattice of `correlative` is left out, because a large one takes minutes.
 TEST(SettingRanges, HoldNoValuesThatTogetherGivePosesThatAreNoNumbers) {
     RandomStream random{2};
     std::size_t tried = 0;
@@ -136,7 +136,7 @@ TEST(SettingRanges, HoldNoValuesThatTogetherGivePosesThatAreNoNumbers) {
         try {
             (void)filter_settings_from_json(json);
         } catch (const UsageError&) {
-            continue;  // such as a range of more cells than the matcher counts
+            continue;  // for example a range of more cells than the matcher can count
         }
         ++tried;
         expect_finite(json, json.dump());

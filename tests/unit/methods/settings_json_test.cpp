@@ -10,13 +10,13 @@
 namespace ddtool {
 namespace {
 
-/// Stands for any field of an aggregate.
+/// Converts to any type, and so stands for any field of an aggregate.
 struct AnyField {
     template <typename Field>
     operator Field() const;  // NOLINT(google-explicit-constructor)
 };
 
-/// The number of fields of an aggregate: the most that it can be initialised with.
+/// The number of fields of an aggregate: the largest number of values with which it can be initialised.
 template <typename Struct, typename... Fields>
 constexpr std::size_t field_count() {
     if constexpr (requires { Struct{Fields{}..., AnyField{}}; }) {
@@ -28,7 +28,8 @@ constexpr std::size_t field_count() {
 
 TEST(FilterSettings, LeaveNoFieldOut) {
     const Json json = filter_settings_json({});
-    // The names of the parts lie beside the filter's own settings; MethodSettings has them in one field.
+    // In the JSON, the names of the parts are members beside the filter's own settings; MethodSettings has all of them
+    // in one field.
     EXPECT_EQ(json.size(),
               field_count<RbpfSettings>() + field_count<MethodParts>() + field_count<MethodSettings>() - 1);
     EXPECT_EQ(json.at("detection").size(), field_count<DetectionSettings>());
@@ -43,7 +44,8 @@ TEST(FilterSettings, LeaveNoFieldOut) {
     EXPECT_EQ(json.at("matcher").size(), field_count<ScanMatcherSettings>());
 }
 
-/// Every number of a settings tree made a little larger, so that none is its default. Names stay: they are of a table.
+/// A settings tree in which every number is a little larger, so that none has its default. Names are not changed,
+/// because each of them must be in a table.
 Json enlarged(Json json) {
     for (auto& [key, value] : json.items()) {
         if (value.is_object()) {

@@ -8,7 +8,7 @@
 namespace ddtool::network {
 namespace {
 
-/// Of the largest value, which tells the size of the terms that were rounded.
+/// Relative to the largest value, which shows the size of the terms that were rounded.
 constexpr double relative_tolerance = 1e-5;
 
 double tolerance_for(const naive::Values& expected) {

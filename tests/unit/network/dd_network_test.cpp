@@ -65,7 +65,7 @@ naive::Values naive_logits(const naive::Tensors& tensors, const network::DDModel
     return naive::linear(tensors, "head", mean, width);
 }
 
-/// Two blocks in a group, a stride that halves an odd side, and more than one head.
+/// A network with two blocks in a group, a stride that halves an odd side, and more than one head.
 network::DDModelTable tiny_table() {
     return {.stem = {.kernel_px = 7, .stride = 2, .channels = 16},
             .groups = {{.blocks = 1, .channels = 16, .stride = 1}, {.blocks = 2, .channels = 32, .stride = 2}},

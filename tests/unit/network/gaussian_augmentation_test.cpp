@@ -41,7 +41,7 @@ TEST(GaussianAugmentation, NeverUnmarksHoweverManyOverlap) {
     }
 }
 
-/// The equation as it stands: for every pixel the sum over all particles within reach.
+/// The equation without any optimisation: for every pixel, the sum over all particles within reach.
 Pixels mark_by_the_equation(const std::vector<ImagePixel>& places, double sigma_px, double threshold) {
     const double variance = sigma_px * sigma_px;
     Pixels pixels(augmented_size_px * augmented_size_px, 0);

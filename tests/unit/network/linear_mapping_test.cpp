@@ -76,7 +76,7 @@ TEST(LinearMapping, PutsTheBoundingBoxInTheMiddle) {
 TEST(LinearMapping, LosesExactlyTheParticlesOutsideOfTheCanvas) {
     std::vector<Point2> points = uniform_points(500, 5, 30.0, 16.0);
     points.push_back({-15.0, -8.0});
-    points.push_back({15.0, 8.0});  // the extremes, so the canvas lies about the origin
+    points.push_back({15.0, 8.0});  // these two are the extremes, so the canvas is centred on the origin
     const auto on_canvas = [](const Point2& point) {
         return std::max(std::abs(point.x_m), std::abs(point.y_m)) <= 5.0;
     };

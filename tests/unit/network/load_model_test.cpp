@@ -80,7 +80,7 @@ TEST_F(LoadModel, DividesTheLogitByTheTemperature) {
     EXPECT_NEAR(logit(degrees(drawn_images(1)).front()), plain / 2.5, 1e-9);
 }
 
-// With bce the other output plays no part: a softmax against an output that is always 0 is the same.
+// With the loss "bce" the second output has no effect: the result is that of a softmax whose second logit is always 0.
 TEST_F(LoadModel, TakesTheSigmoidOfOneOutputForBce) {
     const auto half = static_cast<std::ptrdiff_t>(tensor("head.weight").values.size() / 2);
     std::fill_n(tensor("head.weight").values.begin(), half, 0.0F);

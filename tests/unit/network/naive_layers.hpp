@@ -8,7 +8,7 @@
 #include "network/dd_tables.hpp"
 #include "network/safetensors.hpp"
 
-/// The layers as their definitions read, in doubles: what lib/network is compared with.
+/// The layers exactly as they are defined, in doubles. The layers of lib/network are compared with them.
 namespace ddtool::network::naive {
 
 using Values = std::vector<double>;
@@ -19,7 +19,7 @@ inline Values tensor(const Tensors& tensors, const std::string& name) {
     return {found->values.begin(), found->values.end()};
 }
 
-/// Channel by channel, row by row.
+/// A map stored channel by channel, row by row.
 struct Map {
     std::size_t channels = 0;
     std::size_t side = 0;
@@ -28,7 +28,7 @@ struct Map {
     [[nodiscard]] double& at(std::size_t channel, std::size_t y, std::size_t x) {
         return values[(channel * side + y) * side + x];
     }
-    /// `outside` beyond the edges.
+    /// The value at that place, or `outside` beyond the edges.
     [[nodiscard]] double padded(std::size_t channel, std::ptrdiff_t y, std::ptrdiff_t x, double outside) const {
         const auto length = static_cast<std::ptrdiff_t>(side);
         return y < 0 || x < 0 || y >= length || x >= length
@@ -37,7 +37,7 @@ struct Map {
     }
 };
 
-/// value_of(channel, y, x) of the window's middle in the input.
+/// Computes every output by value_of(channel, y, x), where y and x are the window's middle in the input.
 template <typename ValueOf>
 Map windows(const Map& in, std::size_t channels, std::size_t stride, const ValueOf& value_of) {
     Map out{channels, (in.side - 1) / stride + 1};
@@ -52,7 +52,7 @@ Map windows(const Map& in, std::size_t channels, std::size_t stride, const Value
     return out;
 }
 
-/// Convolution, then batch normalisation.
+/// Convolution followed by batch normalisation.
 inline Map convolution(const Tensors& tensors, const std::string& prefix, const Map& in, std::size_t channels,
                        std::size_t kernel_px, std::size_t stride) {
     const Values kernel = tensor(tensors, prefix + ".conv.weight");
@@ -103,7 +103,7 @@ inline Values sum(Values a, const Values& b) {
     return a;
 }
 
-/// Tokens closely packed.
+/// A linear layer for tokens that are stored without gaps.
 inline Values linear(const Tensors& tensors, const std::string& prefix, const Values& in, std::size_t inputs) {
     const Values weight = tensor(tensors, prefix + ".weight");
     const Values bias = tensor(tensors, prefix + ".bias");
@@ -154,7 +154,7 @@ inline Values softmax(const Values& scores) {
     return shares;
 }
 
-/// query_key_value: [tokens][3][width].
+/// query_key_value has the shape [tokens][3][width].
 inline Values attention(const Values& query_key_value, std::size_t width, std::size_t heads) {
     const std::size_t tokens = query_key_value.size() / (3 * width);
     const std::size_t head_width = width / heads;

@@ -42,7 +42,7 @@ inline std::vector<float> planar(const float* map, const MapShape& shape) {
     return values;
 }
 
-/// The reverse.
+/// The reverse: a map with its border in memory.
 inline std::vector<float> bordered(const naive::Map& map) {
     const MapShape shape{map.side, map.channels};
     std::vector<float> values(shape.size());

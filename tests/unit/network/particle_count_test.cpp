@@ -1,5 +1,5 @@
-// How close images of one distribution are when it is drawn with different numbers of particles. Prints the figures of
-// docs/reports/2026-11-22-particle-images.md.
+// Measures how similar the images of one distribution are if it is drawn with different numbers of particles. Prints
+// the figures of docs/reports/2026-11-22-particle-images.md.
 
 #include <gtest/gtest.h>
 
@@ -19,8 +19,9 @@ struct Distribution {
     test::SwarmShape shape;
 };
 
-/// The absolute swarms of a long run (a room, a corridor, a ring); steps that lose nothing, one direction, everything
-/// (the prediction has 0.1 m along and 0.03 m across).
+/// The absolute swarms of a long run (in a room, a corridor and a ring), and step swarms of which matching determines
+/// both directions, one, or none. The prediction has a standard deviation of 0.1 m along the motion and 0.03 m across
+/// it.
 constexpr std::array distributions{
     Distribution{"absolute, room", Swarm::absolute, {0.035, 0.035}},
     Distribution{"absolute, corridor", Swarm::absolute, {0.85, 0.035}},
@@ -35,7 +36,7 @@ constexpr std::uint64_t draws = 20;
 
 using Blocks = std::array<double, 784>;
 
-/// Marked pixels in each of 28 x 28 blocks of 8 x 8 pixels, a token of the network's.
+/// The number of marked pixels in each of 28 x 28 blocks of 8 x 8 pixels; a block is a token of the network.
 Blocks blocks_of(const ParticleImage& image) {
     Blocks blocks{};
     for (std::size_t index = 0; index < image.pixels.size(); ++index) {
@@ -45,7 +46,7 @@ Blocks blocks_of(const ParticleImage& image) {
     return blocks;
 }
 
-/// Sorensen's overlap 2 sum min(a, b) / sum (a + b) of the marked pixels: 1 for the same blocks, 0 for disjoint ones.
+/// Sorensen's overlap of the marked pixels, 2 sum min(a, b) / sum (a + b): 1 for equal blocks, 0 for disjoint ones.
 double overlap(const Blocks& a, const Blocks& b) {
     double shared = 0.0;
     double all = 0.0;

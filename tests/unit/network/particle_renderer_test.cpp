@@ -25,7 +25,7 @@ auto marked_in(const ParticleImage& image) {
     return std::count(image.pixels.begin(), image.pixels.end(), ParticleImage::marked);
 }
 
-/// Every way to draw the swarms, mapping and augmentation on and off.
+/// Every combination of image settings: the swarms, mapping on and off, and augmentation on and off.
 std::vector<ImageSettings> every_way(const std::vector<Swarm>& swarms = {Swarm::absolute, Swarm::step,
                                                                          Swarm::response}) {
     std::vector<ImageSettings> ways;
@@ -39,11 +39,11 @@ std::vector<ImageSettings> every_way(const std::vector<Swarm>& swarms = {Swarm::
     return ways;
 }
 
-/// Fills half the canvas of either swarm.
+/// A swarm that fills half of the canvas, both as absolute and as step swarm.
 Particles wide_swarm(std::uint64_t seed) {
     Particles swarm = test::normal_swarm(60, seed, {1.0, 0.4});
     for (SnapshotParticle& particle : swarm) {
-        // Less is left across than along, so that there is a weakest direction.
+        // A smaller share is left across than along, so that the weakest direction is unique.
         particle.matched_motion = {particle.predicted_motion.x_m, 0.5 * particle.predicted_motion.y_m, 0.0};
     }
     return swarm;
@@ -64,7 +64,7 @@ Particles shifted(const Particles& particles, double x_m, double y_m) {
     });
 }
 
-/// On a lattice of 2^-10 m, on which sums up to 2^43 m (9e15 steps) are exact and pixel borders are hit often.
+/// Rounds to multiples of 2^-10 m. Sums of such numbers up to 2^43 m are exact, and they often lie on a pixel's border.
 Particles on_a_lattice(const Particles& particles) {
     return transformed(particles, [](Pose2& place) {
         place.x_m = std::round(place.x_m * 1024.0) / 1024.0;
@@ -79,7 +79,8 @@ TEST(ParticleRenderer, DrawsTheSameImageWhereverTheSwarmIs) {
             const Particles here = wide_swarm(seed);
             const double x_m = random.uniform(-1e5, 1e5);
             const double y_m = random.uniform(-1e5, 1e5);
-            // Sums are rounded by at most 7e-12 m at 1e5 m, 1e-8 of a pixel: no particle is that close to a border.
+            // At 1e5 m, sums are rounded by at most 7e-12 m, which is 1e-8 of a pixel. No particle is that close to a
+            // border.
             EXPECT_EQ(render(shifted(here, x_m, y_m), {.swarm = swarm}), render(here, {.swarm = swarm}));
         }
     }
@@ -106,7 +107,7 @@ TEST(ParticleRenderer, DoesNotCareForTheOrderOfTheParticles) {
     }
 }
 
-/// A quarter turn counter-clockwise.
+/// The image turned by 90 degrees counter-clockwise.
 ParticleImage turned(const ParticleImage& image) {
     const std::size_t size = image.size_px;
     ParticleImage result = image;
@@ -166,7 +167,7 @@ TEST(ParticleRenderer, DrawsNothingForNobody) {
     }
 }
 
-/// Swarms whose coordinates no filter should give.
+/// Swarms with coordinates that no filter should give, such as infinity.
 std::vector<Particles> extreme_swarms() {
     const double inf = std::numeric_limits<double>::infinity();
     const double huge = std::numeric_limits<double>::max();

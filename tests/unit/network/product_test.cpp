@@ -9,9 +9,9 @@ namespace {
 
 constexpr std::size_t outputs = 2 * block_width;
 constexpr Window window{.rows = 3, .length = 5, .row_step = 11};
-constexpr std::size_t points = 23;  // whole tiles of neither kernel
+constexpr std::size_t points = 23;  // not a multiple of either kernel's tile
 
-/// Windows that overlap, outputs with a gap between the points, and everything that a product can do to a sum.
+/// Windows that overlap, gaps between the outputs of the points, and all options of a product at once.
 struct Example {
     std::vector<float> in = drawn_floats(200, 1);
     std::vector<float> weights = drawn_floats(window.inputs() * outputs, 2);
@@ -42,7 +42,7 @@ struct Example {
         return out;
     }
 
-    /// Input by input, as the header says.
+    /// The sum in the order of the inputs, as the header defines it.
     [[nodiscard]] float expected(std::size_t point, std::size_t output) const {
         const std::size_t block = output / block_width;
         float sum = bias[output];

@@ -12,8 +12,8 @@ namespace {
 
 constexpr double least_spread_m = 0.001;
 
-/// A swarm whose predictions are 0.1 m wide along x and 0.03 m along y, and of whose deviations matching leaves the
-/// given shares.
+/// A swarm whose predictions have a standard deviation of 0.1 m along x and 0.03 m along y. Matching leaves the given
+/// shares of the deviations.
 std::vector<SnapshotParticle> swarm_left_with(double share_x, double share_y, std::uint64_t seed = 1) {
     std::vector<SnapshotParticle> particles = test::normal_swarm(60, seed, {});
     for (SnapshotParticle& particle : particles) {
@@ -46,7 +46,8 @@ TEST(Response, ItsSlopeIsTheShareThatMatchingLeavesOfTheWidestDirection) {
 }
 
 TEST(Response, FindsADirectionInWhichLittleWasPredicted) {
-    // All of 0.03 m is more than a tenth of 0.1 m, though the swarm is no wider there.
+    // Along y, matching leaves all of the predicted 0.03 m; along x, it leaves only a tenth of the 0.1 m. So y is the
+    // weakest direction, although less spread was predicted along it.
     EXPECT_NEAR(slope(response_of(swarm_left_with(0.1, 1.0))), 1.0, 0.02);
 }
 

@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::size_t stem_size_px = 30;
 
-/// An image whose pixels are marked with that probability, and all four corners unless it is 0.
+/// An image whose pixels are marked with that probability. Unless it is 0, all four corners are marked, too.
 std::vector<float> drawn_image(double share) {
     RandomStream random({7});
     std::vector<float> image(stem_size_px * stem_size_px);

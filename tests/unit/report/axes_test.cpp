@@ -22,7 +22,7 @@ cv::Mat1b red_pixels(const cv::Mat3b& page) {
     return mask;
 }
 
-/// The smallest box around all that is red.
+/// The smallest box that contains all red pixels.
 cv::Rect red_box(const Axes& axes) { return cv::boundingRect(red_pixels(drawn(axes))); }
 
 Axes unit_square() {
@@ -93,7 +93,7 @@ TEST(Axes, DrawBarsFromZeroInProportion) {
     const auto bar_of = [](double height) {
         Axes axes;
         axes.y_range(-1.0, 1.0).bars({"a", "b"}, {{"", {height, 0.0}}});
-        cv::Mat1b mask;  // series colour 0 is blue
+        cv::Mat1b mask;  // colour 0 of the series is blue
         cv::inRange(drawn(axes), cv::Scalar(160, 100, 0), cv::Scalar(190, 130, 10), mask);
         return cv::boundingRect(mask);
     };

@@ -14,7 +14,7 @@
 namespace ddtool {
 namespace {
 
-/// As map_server and nav2 read a map in trinary mode.
+/// Reads a map in the same way as map_server and nav2 do in trinary mode.
 MapRaster read_map(const std::filesystem::path& folder, const std::string& yaml_name) {
     char image[64] = "";
     double occupied_threshold = 0.0;

@@ -64,7 +64,7 @@ TEST(MapPicture, LosesNoWallOfALargeMap) {
     const Pixels with = picture_of(map, {});
     map.cells.assign(map.cells.size(), MapRaster::free);
     const Pixels without = picture_of(map, {});
-    EXPECT_GT(with.count(black), without.count(black));  // the rest is the scale bar
+    EXPECT_GT(with.count(black), without.count(black));  // the remaining black pixels are the scale bar
     EXPECT_LE(with.width, 1300U);
 }
 

@@ -10,7 +10,7 @@
 namespace ddtool {
 namespace {
 
-/// End points of walls: each (x, y) with its unit normal.
+/// End points on walls: each (x, y) with its unit normal.
 ScanPoints points_on(const std::function<void(ScanPoints&)>& build) {
     ScanPoints points;
     build(points);

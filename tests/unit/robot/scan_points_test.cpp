@@ -17,7 +17,7 @@ namespace {
 using std::numbers::pi;
 constexpr ScanPointsSettings apart{.usable_range_m = 40.0, .spacing_m = 0.0};
 
-/// Beams from -1 to 1 rad with ranges by angle.
+/// A scan of beams from -1 to 1 rad, whose ranges are a function of the angle.
 SensorFrame scan_of(const std::function<double(double)>& range_m, int beams) {
     SensorFrame frame;
     frame.scan.angle_min_rad = -1.0;
@@ -30,7 +30,7 @@ SensorFrame scan_of(const std::function<double(double)>& range_m, int beams) {
     return frame;
 }
 
-/// A wall whose normal points at normal_rad, `distance_m` from the laser.
+/// The ranges to a wall at `distance_m` from the laser whose normal has the direction normal_rad.
 std::function<double(double)> wall(double distance_m, double normal_rad) {
     return [=](double angle_rad) { return distance_m / std::cos(angle_rad - normal_rad); };
 }
@@ -59,7 +59,8 @@ TEST(ScanPoints, OfAWallHaveItsNormalAndNoWeightAlongIt) {
         for (const int beams : {61, 401}) {
             const ScanPoints points = scan_points(scan_of(wall(3.0, normal_rad), beams), {});
             ASSERT_GT(points.size(), 50U);
-            for (std::size_t i = 1; i + 1 < points.size(); ++i) {  // those at the ends have too few neighbours
+            // the end points are left out, because they have too few neighbours
+            for (std::size_t i = 1; i + 1 < points.size(); ++i) {
                 expect_normals_along(points, i, normal_rad);
             }
         }
@@ -81,7 +82,8 @@ TEST(ScanPoints, OfACornerCountInBothDirectionsAtItAndOneBesideIt) {
     }
 }
 
-/// Range noise is no shape: what is flatter than line_flatness says nothing of where along the wall the point is.
+/// The noise of the ranges must not be taken for a shape: what is flatter than line_flatness does not show where along
+/// the wall a point is.
 TEST(ScanPoints, OfANoisyWallHoldNothingAlongIt) {
     RandomStream random{3};
     const auto exact = wall(3.0, 0.0);
@@ -89,7 +91,8 @@ TEST(ScanPoints, OfANoisyWallHoldNothingAlongIt) {
     const ScanPoints points = scan_points(noisy, {});
     const double mean_weight = std::accumulate(points.along_weight.begin(), points.along_weight.end(), 0.0) /
                                static_cast<double>(points.size());
-    constexpr double weight_of_the_noise = 0.00385;  // the mean weight if ScanPoints::line_flatness were 0
+    // the mean weight that would result if ScanPoints::line_flatness were 0
+    constexpr double weight_of_the_noise = 0.00385;
     EXPECT_LT(mean_weight, 0.1 * weight_of_the_noise);
 }
 
@@ -144,7 +147,7 @@ TEST(ScanPoints, OfAReversedScanAreTheSameTheOtherWayRound) {
     }
 }
 
-/// A lidar hung upside-down turns the other way: negative angles, mirrored points.
+/// A lidar that is mounted upside down turns the other way: the angles are negated and the points mirrored.
 TEST(ScanPoints, OfALidarUpsideDownAreMirrored) {
     SensorFrame frame = scan_of([](double angle) { return 2.0 + std::sin(9.0 * angle); }, 181);
     const ScanPoints upright = scan_points(frame, {});
@@ -207,7 +210,7 @@ TEST(ScanPoints, WithoutNeighboursCountAlikeInEveryDirection) {
     EXPECT_EQ(points.along_weight[0], 1.0F);
 }
 
-/// Two walls that face the laser, the nearer one up to the edge; the beam at the edge meets both.
+/// Two walls that face the laser, the nearer one on the right. The beam at the edge between them measures mixed_m.
 SensorFrame edge(double mixed_m) {
     SensorFrame frame =
         scan_of([](double angle_rad) { return (angle_rad < 0.0 ? 2.0 : 3.0) / std::cos(angle_rad); }, 201);
@@ -226,7 +229,8 @@ TEST(ScanPoints, LeaveOutABeamThatMixesTheRangesAtAnEdge) {
 
 TEST(ScanPoints, KeepABeamThatStandsAloneBeforeAWall) {
     const std::size_t all = scan_points(edge(3.0), apart).size();
-    EXPECT_EQ(scan_points(edge(1.0), apart).size(), all);  // a pole: not between its neighbours
+    // 1 m is not between the ranges of its neighbours, so the beam has hit a pole
+    EXPECT_EQ(scan_points(edge(1.0), apart).size(), all);
 }
 
 TEST(ScanPoints, KeepEveryBeamOfAWallSeenFarAhead) {

@@ -17,7 +17,7 @@ namespace {
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-/// What a client would have; those marked slow read nothing.
+/// Records what each client would receive. Clients that are marked as slow read nothing.
 class RecordingLinks : public ClientLinks {
 public:
     void send_text(ClientId client, const std::string& text) override {
@@ -52,7 +52,7 @@ protected:
     void unsubscribe(ClientId client, std::uint32_t id) {
         broadcast_.received(client, Json{{"op", "unsubscribe"}, {"subscriptionIds", {id}}}.dump(), true);
     }
-    /// The stamps of the messages of a subscription that a client was sent.
+    /// The stamps of the messages that a client was sent for a subscription.
     std::vector<std::int64_t> stamps(ClientId client, std::uint32_t subscription) {
         std::vector<std::int64_t> found;
         for (const std::string& message : links_.data[client]) {
@@ -129,7 +129,7 @@ TEST_F(BroadcastTest, AnswersNonsenseWithAnErrorAndGoesOn) {
     const std::size_t before = links_.texts[0].size();
     broadcast_.received(0, "{", true);
     broadcast_.received(0, "\1binary", false);
-    subscribe(0, 8, 9);  // no such channel
+    subscribe(0, 8, 9);  // the channel does not exist
     subscribe(0, 7, 1);  // the id is in use
     subscribe(0, 8, 0);  // the channel is in use
     unsubscribe(0, 99);
@@ -148,7 +148,7 @@ TEST_F(BroadcastTest, KeepsLittleForWhoDoesNotRead) {
     constexpr std::size_t size = 100'000;
     for (int i = 0; i < 1000; ++i) {
         publish("/map", i, size);
-        subscribe(0, 7, 0);  // a complaint each but the first
+        subscribe(0, 7, 0);  // each call but the first is answered by an error message
         broadcast_.received(0, "{", true);
     }
     EXPECT_LT(links_.unsent[0], Broadcast::backlog_bytes + 2 * size);

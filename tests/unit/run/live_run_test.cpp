@@ -9,7 +9,7 @@
 namespace ddtool {
 namespace {
 
-/// Keeps what it is given.
+/// A sink that keeps the messages it is given.
 class KeptMessages : public Ros2Sink {
 public:
     std::map<std::string, std::vector<std::vector<std::byte>>> topics;

@@ -18,7 +18,7 @@ std::string subscribe(std::uint32_t id, std::uint32_t channel) {
     return Json{{"op", "subscribe"}, {"subscriptions", {{{"id", id}, {"channelId", channel}}}}}.dump();
 }
 
-/// The next message of a subscription; passes by what else comes.
+/// The next data message. Messages of other kinds are skipped.
 std::string next_data(WebSocketClient& client) {
     while (const auto message = client.next()) {
         if (!message->is_text && message->payload[0] == 1) {
@@ -38,14 +38,15 @@ std::int64_t stamp_of(const std::string& data) {
 
 class LiveServerTest : public testing::Test {
 protected:
-    /// A message of about `poses` times 100 bytes.
+    /// Writes a message of about 100 bytes for each pose.
     void write_path(std::int64_t stamp_ns, std::size_t poses) {
         server_.write(
             "/path", stamp_ns,
             RosPath{.header = {{stamp_ns}, "map"}, .poses = {poses, pose_message(stamp_ns, "map", {1.0, 2.0, 0.5})}});
     }
 
-    /// One array, since fast-cdr makes room for the numbers of a path a few at a time.
+    /// A map is a single array. A path would be slow to write, because fast-cdr makes room for its numbers a few at a
+    /// time.
     void write_map(std::int64_t stamp_ns, std::size_t cells) {
         RosOccupancyGrid map{.header = {{stamp_ns}, "map"}, .map_load_time = {}, .origin = {}, .data = {}};
         map.data.resize(cells);
@@ -92,7 +93,7 @@ TEST_F(LiveServerTest, NeitherWaitsForWhoDoesNotReadNorKeepsAllForHim) {
     reader.send({true, subscribe(0, 0)});
     constexpr std::int64_t messages = 400;
     for (std::int64_t stamp_ns = 1; stamp_ns <= messages; ++stamp_ns) {
-        write_map(stamp_ns, 500'000);  // 200 MB in all
+        write_map(stamp_ns, 500'000);  // 200 MB in total
     }
     while (stamp_of(next_data(reader)) < messages) {
     }

@@ -23,7 +23,7 @@ void expect_near(const Pose2& a, const Pose2& b) {
     EXPECT_NEAR(wrap_angle(a.theta_rad - b.theta_rad), 0.0, 1e-9);
 }
 
-/// A run, recorded and read back.
+/// A run that is recorded and read back.
 class ResultLogTest : public testing::Test {
 protected:
     ResultLogTest() {
@@ -43,7 +43,7 @@ protected:
         log.close();
     }
 
-    /// Every message of a topic, in order.
+    /// All messages of a topic, in the order of the file.
     template <typename Message>
     std::vector<Message> messages(const std::string& topic) {
         std::vector<Message> found;
@@ -65,7 +65,7 @@ protected:
     FilterRun result_;
     std::vector<SensorFrame> used_;
     std::vector<Pose2> poses_;
-    std::vector<Pose2> online_;  ///< of every scan
+    std::vector<Pose2> online_;  ///< one per scan
     std::vector<Eigen::Matrix3d> covariances_;
     std::vector<std::size_t> swarms_;
 };

@@ -11,7 +11,7 @@
 namespace ddtool {
 namespace {
 
-/// What `ddtool slam` does, with a detector that says what the test wants.
+/// Does the same as `ddtool slam`, with a detector whose answers the test chooses.
 struct ShownRun {
     explicit ShownRun(bool with_truth = true, RunCourse empty_course = RunCourse()) : course(std::move(empty_course)) {
         test::SmallRun small;

@@ -47,7 +47,7 @@ std::vector<RecordedSnapshot> read_all(const std::filesystem::path& file, std::s
     return all;
 }
 
-/// Every snapshot of a run, and the same as written to a file.
+/// Every snapshot of a run, which is also written to a file.
 std::vector<RecordedSnapshot> record(const std::filesystem::path& file) {
     std::vector<RecordedSnapshot> given;
     SnapshotWriter writer(file);
@@ -94,7 +94,7 @@ TEST(SnapshotFile, CutOffGivesWhatIsBeforeTheCut) {
     EXPECT_EQ(read_all(folder / "cut.mcap", 1).size(), whole);
 }
 
-/// docs/formats/snapshots.md
+/// The layout is that of docs/formats/snapshots.md.
 TEST(SnapshotFile, HasTheFlatLayoutOfItsDocument) {
     const test::TemporaryFolder folder;
     const std::vector<RecordedSnapshot> given = record(folder / "snapshots.mcap");

@@ -19,7 +19,7 @@ using testing::Not;
 constexpr const char* home = "127.0.0.1";
 constexpr const char* name = "first.v1";
 
-/// Greets, repeats what it is told, and counts.
+/// A server that greets its clients, repeats what they send, and counts them.
 class Echo {
 public:
     Echo() {
@@ -89,12 +89,12 @@ TEST(WebSocketServer, DropsWhoBreaksTheProtocolAndServesTheOthers) {
     EXPECT_EQ(next_of(friendly), "hello");
     const std::string too_long = std::string("\x81\xff\0\0\0\0\0\2\0\0", 10) + "mask" + std::string(200'000, 'x');
     const std::vector<std::string> broken{
-        std::string("\x81\x01x"),                                         // not masked
-        std::string("\xff\x81maskx", 7),                                  // reserved bits, reserved operation
-        std::string("\x81\xff\xff\xff\xff\xff\xff\xff\xff\xffmask", 14),  // 2^64 - 1 bytes to come
-        std::string("\x89\xfe\x01\x00mask", 8) + std::string(256, 'x'),   // a ping too long for a control frame
-        std::string("\x80\x81maskx", 7),                                  // goes on with what never began
-        std::string("\x81\x82\0\0\0\0\xff\xfe", 8),                       // text that is no UTF-8
+        std::string("\x81\x01x"),                                         // the payload is not masked
+        std::string("\xff\x81maskx", 7),                                  // reserved bits and a reserved operation code
+        std::string("\x81\xff\xff\xff\xff\xff\xff\xff\xff\xffmask", 14),  // announces 2^64 - 1 bytes
+        std::string("\x89\xfe\x01\x00mask", 8) + std::string(256, 'x'),   // a ping that is too long for a control frame
+        std::string("\x80\x81maskx", 7),                                  // continues a message that never began
+        std::string("\x81\x82\0\0\0\0\xff\xfe", 8),                       // a text that is not valid UTF-8
         too_long,
     };
     for (const std::string& bytes : broken) {
@@ -115,7 +115,7 @@ TEST(WebSocketServer, SurvivesWhatIsNoWebSocketAtAll) {
 TEST(WebSocketServer, ForgetsWhoVanishes) {
     Echo echo;
     for (int i = 1; i <= 10; ++i) {
-        { const test::WebSocketClient client(echo.place(), {name}); }  // no goodbye
+        { const test::WebSocketClient client(echo.place(), {name}); }  // leaves without closing the connection
         echo.wait_until_closed(i);
     }
     std::promise<std::size_t> unsent;

@@ -11,7 +11,7 @@ using testing::Optional;
 
 constexpr std::int64_t ms = 1'000'000;
 
-/// Poses at the given milliseconds; x says which.
+/// Poses at the given times in milliseconds; x is the number of the pose.
 Trajectory poses_at_ms(const std::vector<std::int64_t>& stamps_ms) {
     Trajectory trajectory;
     for (const std::int64_t stamp : stamps_ms) {

@@ -15,7 +15,7 @@ struct Forecasts {
     std::vector<bool> positive;
 };
 
-/// What happens has the probability that was forecast.
+/// Random forecasts, and events that occur with exactly the forecast probabilities.
 Forecasts drawn_probabilities(std::size_t count) {
     RandomStream random({5});
     Forecasts forecasts;
@@ -56,7 +56,7 @@ TEST(Reliability, EveryForecastIsInTheBinThatHoldsIt) {
     EXPECT_DOUBLE_EQ(bins[0].mean_probability, 0.05);
     EXPECT_DOUBLE_EQ(bins[0].positive_share, 0.5);
     EXPECT_TRUE(std::isnan(bins[2].mean_probability));
-    // 2/5 |.5 - .05| + 1/5 |1 - .1| + 1/5 |0 - .5| + 0
+    // The sum of share of samples x gap over the bins: 2/5 |.5 - .05| + 1/5 |1 - .1| + 1/5 |0 - .5| + 0 = 0.46.
     EXPECT_NEAR(expected_calibration_error(bins), 0.46, 1e-9);
 }
 

@@ -15,7 +15,8 @@ struct ScoredLabels {
     std::vector<bool> positive;
 };
 
-/// Few distinct scores, so that there are ties; positives score higher, or lower where gap is negative.
+/// Random scores with few distinct values, so that there are ties. Positives score higher by `gap`, or lower if it is
+/// negative.
 ScoredLabels drawn_scores(std::uint64_t seed, double gap) {
     RandomStream random({seed});
     ScoredLabels scored;

@@ -9,7 +9,8 @@ using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 
 TEST(HolmAdjusted, IsTheWorkedExample) {
-    // 4 x 0.01; 3 x 0.02; 2 x 0.03, which equals it; 0.05, which may not be smaller.
+    // 4 x 0.01 = 0.04; 3 x 0.02 = 0.06; 2 x 0.03 = 0.06, the same; 1 x 0.05 is raised to 0.06, because the results may
+    // not decrease.
     const std::vector p_values{0.03, 0.01, 0.05, 0.02};
     EXPECT_THAT(holm_adjusted(p_values), ElementsAre(0.06, 0.04, 0.06, 0.06));
 }

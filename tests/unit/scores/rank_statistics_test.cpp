@@ -18,7 +18,7 @@ struct Scored {
     std::vector<bool> positive;
 };
 
-/// Few distinct scores, so that there are ties.
+/// Random scores with few distinct values, so that there are ties.
 Scored drawn(std::uint64_t seed, std::size_t count) {
     RandomStream random({seed});
     Scored scored;
@@ -29,7 +29,7 @@ Scored drawn(std::uint64_t seed, std::size_t count) {
     return scored;
 }
 
-/// The definition: over all pairs of a positive and a negative.
+/// The AUC by its definition, over all pairs of a positive and a negative sample.
 double auc_by_pairs(const Scored& scored) {
     double won = 0.0;
     double pairs = 0.0;
@@ -59,7 +59,7 @@ TEST(RocAuc, TurnsRoundWithTheScoresAndWithTheClasses) {
     Scored scored = drawn(3, 50);
     const double auc = roc_auc(scored.scores, scored.positive);
     for (double& score : scored.scores) {
-        score = -std::exp(score);  // any falling function
+        score = -std::exp(score);  // any decreasing function
     }
     EXPECT_NEAR(roc_auc(scored.scores, scored.positive), 1.0 - auc, 1e-12);
     scored.positive.flip();

@@ -11,7 +11,7 @@
 namespace ddtool {
 namespace {
 
-/// The path's own motions over `stride` poses.
+/// The true relations of a path: its own motions over `stride` poses.
 std::vector<Relation> relations_of(const Trajectory& path, std::size_t stride) {
     std::vector<Relation> relations;
     for (std::size_t i = 0; i + stride < path.size(); ++i) {

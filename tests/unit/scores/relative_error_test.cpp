@@ -14,7 +14,7 @@ std::vector<PosePair> pairs_of(const Trajectory& estimate, const Trajectory& ref
     return associate(estimate, reference, default_max_time_difference_s);
 }
 
-/// A straight drive at 1 m/s, a pose each 0.1 s, the estimate longer by a factor.
+/// A straight drive at 1 m/s with a pose every 0.1 s. The estimate is longer than the truth by the given factor.
 std::vector<PosePair> straight_drive(std::size_t poses, double estimate_scale) {
     std::vector<PosePair> pairs;
     for (std::size_t i = 0; i < poses; ++i) {
@@ -59,7 +59,7 @@ TEST(RelativeError, IgnoresWhereEitherFrameIs) {
 }
 
 TEST(RelativeError, CountsMetresAlongTheEstimateAndSecondsOfItsStamps) {
-    // Marks at 0.4, 0.8, ... metres: the first is where the chain begins, as in evo.
+    // The nodes are at 0.4, 0.8, ... metres of the estimate. As in evo, the first one is where the first motion begins.
     const RpeResult by_path = relative_pose_error(straight_drive(21, 2.0), {0.39, DeltaUnit::metres});
     EXPECT_EQ(by_path.translation_m.count, 9U);
     EXPECT_NEAR(by_path.translation_m.mean, 0.2, 1e-9);

@@ -38,7 +38,7 @@ TEST(Quantile, GivesFailedRunsTheirPlace) {
 }
 
 TEST(MedianInterval, TakesTheTabulatedOrderStatistics) {
-    // Tables of the sign test: at 95 % the 2nd and 9th of 10, the 6th and 15th of 20.
+    // According to tables of the sign test at 95 %: the 2nd and 9th of 10 values, the 6th and 15th of 20.
     std::vector<double> values(20);
     std::generate(values.begin(), values.end(), [n = 20.0]() mutable { return n--; });
     const MedianInterval of_twenty = median_interval(values);
@@ -84,8 +84,8 @@ TEST(SignedRank, ReachesItsSmallestPWhenAllDifferOneWay) {
 }
 
 TEST(SignedRank, AgreesWithTheTabulatedDistribution) {
-    // Differences of ranks 1..8, the negative ones 1 and 3: rank sum 4. Seven subsets of 1..8 sum to at most 4:
-    // {}, 1, 2, 3, 4, 12, 13.
+    // The ranks are 1..8, and the negative differences have the ranks 1 and 3, so their rank sum is 4. Seven subsets of
+    // 1..8 have a sum of at most 4: {}, {1}, {2}, {3}, {4}, {1, 2}, {1, 3}.
     const std::vector<double> zeros(8, 0.0);
     const std::vector<double> differences{-1.0, 2.0, -3.0, 4.0, 5.0, 6.0, 7.0, 8.0};
     const PairedTest test = wilcoxon_signed_rank(zeros, differences);
@@ -95,7 +95,8 @@ TEST(SignedRank, AgreesWithTheTabulatedDistribution) {
 }
 
 TEST(SignedRank, SharesTiedRanks) {
-    // Ranks 1.5, 1.5, 3; the sum of the negative is 1.5: of the eight patterns {}, {1.5}, {1.5} are as small.
+    // The ranks are 1.5, 1.5 and 3, and the negative difference has 1.5. Of the eight subsets, three have a sum of at
+    // most 1.5: {} and twice {1.5}.
     EXPECT_NEAR(wilcoxon_signed_rank(std::vector(3, 0.0), std::vector{-1.0, 1.0, 2.0}).p_value, 2.0 * 3.0 / 8.0, 1e-12);
 }
 

@@ -22,7 +22,7 @@ struct Speeds {
     double turning;
 };
 
-/// Robot frame speeds over each step.
+/// The speeds in the robot's frame, over each step.
 std::vector<Speeds> speeds_of(const Trajectory& trajectory) {
     std::vector<Speeds> speeds;
     for (std::size_t i = 1; i < trajectory.size(); ++i) {
@@ -64,7 +64,7 @@ TEST(Drive, KeepsTheLimitsOfTheRobot) {
 TEST(Drive, NeverMovesSideways) {
     const Trajectory trajectory = drive(zigzag, {}, start_ns, drive_step_ns);
     for (std::size_t i = 1; i < trajectory.size(); ++i) {
-        // The chord of an arc leaves at half the turn.
+        // The chord of an arc has the direction of half the turn.
         const Pose2 motion = between(trajectory[i - 1].pose, trajectory[i].pose);
         EXPECT_NEAR(motion.y_m, motion.x_m * std::tan(motion.theta_rad / 2.0), 1e-9);
     }
@@ -120,7 +120,7 @@ std::string drive_refusal(const Route& route, const DriveSettings& settings) {
 
 TEST(Drive, SaysWhichWayPointIsOutOfReach) {
     const Route route{.start = {}, .way_points = {{2.0, 0.0}, {2.0, 2.0}}};
-    // Too slow a turn: the second leg is left sideways, or its start never faced.
+    // The robot turns too slowly: it drifts sideways off the second leg, or never comes to face it.
     const DriveSettings sideways{.turn_rate_rad_per_s = 0.05, .turn_in_place_above_rad = 4.0, .lookahead_m = 0.1};
     EXPECT_THAT(drive_refusal(route, sideways), testing::HasSubstr("way point 2"));
     EXPECT_THAT(drive_refusal(route, {.turn_rate_rad_per_s = 1e-3}), testing::HasSubstr("way point 2"));

@@ -16,7 +16,8 @@ Eigen::Matrix3d information_in(const World& world, const Pose2& robot, const Pos
     return fisher_information(scan, cast_beams(scan, {robot * mounting}, RayCaster(world)), robot, mounting, settings);
 }
 
-/// Sum over beams of the outer products of central differences of the ray caster's ranges.
+/// The information computed numerically: the sum, over the beams, of the outer products of the central differences of
+/// the ray caster's ranges.
 Eigen::Matrix3d numerical_information(const World& world, const Pose2& robot, const Pose2& mounting,
                                       const LidarSettings& settings) {
     constexpr double step = 1e-6;
@@ -48,7 +49,7 @@ int rank(const Eigen::Matrix3d& information) {
     return static_cast<int>((eigenvalues.array() > 1e-9 * eigenvalues[2]).count());
 }
 
-/// Two infinite walls, as far as the lidar can tell.
+/// Two walls that are infinite as far as the lidar can see.
 World corridor(double heading_rad) {
     World world;
     const Pose2 world_from_corridor{0.0, 0.0, heading_rad};
@@ -87,7 +88,8 @@ TEST(FisherInformation, OfACorridorLosesTheDirectionAlongItAlone) {
     EXPECT_LT((information * along).norm(), 1e-9 * information.norm());
 }
 
-/// The lidar at the centre of a circle: heading alone is lost.
+/// With the lidar at the centre of a circle, the scan does not determine the heading, but it does determine the
+/// position.
 TEST(FisherInformation, AtTheCentreOfACircleLosesTheHeadingAlone) {
     World world;
     world.arcs.push_back({.centre = {1.0, 1.0}, .radius_m = 4.0});
@@ -96,7 +98,7 @@ TEST(FisherInformation, AtTheCentreOfACircleLosesTheHeadingAlone) {
     EXPECT_LT((information * Eigen::Vector3d::UnitZ()).norm(), 1e-9 * information.norm());
 }
 
-/// A straight wall fixes its distance and its direction: two numbers of three.
+/// A straight wall determines the distance from it and the heading: two of three numbers.
 TEST(FisherInformation, OfASingleWallLosesThePlaceAlongItAlone) {
     World world;
     world.segments.push_back({{2.0, -1e4}, {2.0, 1e4}});
@@ -105,7 +107,7 @@ TEST(FisherInformation, OfASingleWallLosesThePlaceAlongItAlone) {
     EXPECT_LT((information * Eigen::Vector3d::UnitY()).norm(), 1e-9 * information.norm());
 }
 
-/// One beam measures one number, so two are lost.
+/// One beam measures one number, so two of three remain undetermined.
 TEST(FisherInformation, OfASingleBeamLosesTwo) {
     World world;
     world.segments.push_back({{2.0, -1.0}, {2.0, 1.0}});

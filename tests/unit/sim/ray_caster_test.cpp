@@ -61,7 +61,8 @@ TEST(RayCaster, SeesACircleFromWithinAtTheExactDistance) {
     const RayCaster caster(world);
     RandomStream random({2});
     for (int i = 0; i < 1000; ++i) {
-        // The chord from a point at distance d of the centre: -d cos(a) + sqrt(r^2 - d^2 sin(a)^2).
+        // The length of the chord from a point at the distance d from the centre is -d cos(a) + sqrt(r^2 - d^2
+        // sin(a)^2).
         const double d = random.uniform(0.0, 3.9);
         const double angle_rad = random.uniform(-pi, pi);
         const auto hit = caster.cast(ray_at({1.0 + d, 2.0}, angle_rad), 30.0);
@@ -78,7 +79,7 @@ TEST(RayCaster, GoesThroughTheGapOfAnArc) {
     EXPECT_FALSE(caster.cast(ray_at({}, 0.0), 30.0));
     EXPECT_FALSE(caster.cast(ray_at({}, -0.49), 30.0));
     EXPECT_NEAR(caster.cast(ray_at({}, 0.51), 30.0)->range_m, 3.0, 1e-12);
-    // Seen through the gap from outside: the far side.
+    // From outside, the far side is seen through the gap.
     EXPECT_NEAR(caster.cast(ray_at({5.0, 0.0}, pi), 30.0)->range_m, 8.0, 1e-12);
 }
 
@@ -108,7 +109,7 @@ TEST_P(RayCasterGrid, AgreesWithTryingEverySurface) {
     const RayCaster caster(world);
     RandomStream random({GetParam(), 1});
     for (int i = 0; i < 2000; ++i) {
-        // Origins also outside the grid; angles also along the axes.
+        // Some origins lie outside of the grid, and some angles are exactly along the axes.
         const Point2 origin{random.uniform(-40.0, 40.0), random.uniform(-30.0, 30.0)};
         const double angle_rad = i % 4 == 0 ? pi / 2.0 * static_cast<double>(random.index(4)) : random.uniform(-pi, pi);
         const double max_range_m = random.uniform(1.0, 60.0);

@@ -51,7 +51,7 @@ void expect_same_scan(const LaserScan& scan, const LaserScan& expected) {
     }
 }
 
-/// A log and the stream in memory are the same to whoever eats them.
+/// A log that was written and read back must give the same frames as the simulation in memory.
 TEST(SimulationLog, ReadsBackAsTheSimulatedStream) {
     const test::TemporaryFolder folder;
     const auto log = open_log(write_log(folder, "drive.mcap"), {}, {});

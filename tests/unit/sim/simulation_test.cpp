@@ -27,7 +27,7 @@ std::vector<std::uint32_t> bits_of(const std::vector<float>& values) {
     return bits;
 }
 
-/// NaNs and all.
+/// Compares the bits, so that NaN values are equal as well.
 void expect_same_bytes(const SimulatedFrame& a, const SimulatedFrame& b) {
     EXPECT_EQ(bits_of(a.frame.scan.ranges_m), bits_of(b.frame.scan.ranges_m));
     EXPECT_EQ(a.frame.scan.stamp_ns, b.frame.scan.stamp_ns);
@@ -70,7 +70,7 @@ TEST(Simulation, ScansComeAtTheirRateWithinTheDrive) {
                 static_cast<double>(last) / 12.0, 1e-8);
 }
 
-/// Every beam's end point, seen from the true pose, lies on a wall.
+/// The end point of every beam, computed from the true pose, must lie on a wall.
 TEST(Simulation, BeamsEndOnTheWallsSeenFromTheTruePose) {
     World world;
     add_box(world, {}, 10.0, 10.0);

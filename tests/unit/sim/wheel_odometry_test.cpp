@@ -18,7 +18,7 @@ constexpr OdometrySettings perfect{.scale_error_sd = 0.0,
 
 constexpr std::int64_t step_ns = 10'000'000;
 
-/// At 1 m/s along x.
+/// A drive along x at 1 m/s.
 Trajectory straight(double length_m) {
     Trajectory trajectory;
     for (int i = 0; i <= static_cast<int>(std::lround(length_m * 100.0)); ++i) {
@@ -27,7 +27,7 @@ Trajectory straight(double length_m) {
     return trajectory;
 }
 
-/// At 1 rad/s in place.
+/// A turn in place at 1 rad/s.
 Trajectory turning(double turns_rad) {
     Trajectory trajectory;
     for (int i = 0; i <= static_cast<int>(turns_rad * 100.0); ++i) {
@@ -41,7 +41,7 @@ struct Spread {
     double sd;
 };
 
-/// Over seeds, of a number drawn from the odometry's last pose.
+/// The mean and the spread, over many seeds, of a number that is computed from the last pose of the odometry.
 template <typename Number>
 Spread spread_of(const Trajectory& truth, const OdometrySettings& settings, std::uint64_t seeds, Number number) {
     double sum = 0.0;
@@ -56,7 +56,7 @@ Spread spread_of(const Trajectory& truth, const OdometrySettings& settings, std:
 }
 
 constexpr std::uint64_t seeds = 400;
-/// Five standard errors of a standard deviation estimated from `seeds` normal samples, relative.
+/// Five relative standard errors of a standard deviation that is estimated from `seeds` normal samples.
 const double sd_bound = 5.0 / std::sqrt(2.0 * seeds);
 
 double x_of(const Pose2& pose) { return pose.x_m; }
@@ -115,7 +115,8 @@ TEST(WheelOdometry, SlipsAddTheirMeanDistance) {
     OdometrySettings settings = perfect;
     settings.slips_per_m = 1.0;
     settings.slip_m = 0.05;
-    // A compound Poisson sum of exponentials: mean n s, variance 2 n s^2.
+    // The sum of a Poisson number of exponential slips, with the mean number n and the mean slip s, has the mean n s
+    // and the variance 2 n s^2.
     const double slips = 5.0;
     const double sd = 0.05 * std::sqrt(2.0 * slips);
     const Spread spread = spread_of(straight(5.0), settings, seeds, x_of);
@@ -135,7 +136,8 @@ TEST(WheelOdometry, CoversTheWholeDriveAtItsRate) {
     const Trajectory odometry = simulate_odometry(truth, {.rate_hz = 30.0}, 1);
     EXPECT_EQ(odometry.front().stamp_ns, truth.front().stamp_ns);
     EXPECT_GE(odometry.back().stamp_ns, truth.back().stamp_ns);
-    EXPECT_EQ(odometry.size(), 47U);  // the start, and 46 steps of 1/30 s to pass 1.505 s (or 1.51 s)
+    // the start, and the 46 steps of 1/30 s that are needed to pass 1.505 s (or 1.51 s)
+    EXPECT_EQ(odometry.size(), 47U);
 }
 
 TEST(WheelOdometry, PresetsAreOrdered) {

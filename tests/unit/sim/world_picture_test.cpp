@@ -8,7 +8,7 @@
 namespace ddtool::sim {
 namespace {
 
-/// A big-endian number of a PNG's header, at a byte offset.
+/// The big-endian number at a byte offset in the header of a PNG file.
 std::uint32_t number_at(const std::string& file, std::size_t offset) {
     std::uint32_t value = 0;
     for (std::size_t i = 0; i < 4; ++i) {

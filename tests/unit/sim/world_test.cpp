@@ -88,7 +88,7 @@ TEST(Texture, LeavesTheRouteAndAddsSurface) {
     EXPECT_EQ(rough.route.way_points, plain.route.way_points);
     EXPECT_GT(length_of_walls(rough), length_of_walls(plain));
     for (const Segment& segment : rough.segments) {
-        EXPECT_LE(std::abs(segment.a.y_m), 0.65 + 1e-9);  // at most 15 cm behind the wall at 0.5 m
+        EXPECT_LE(std::abs(segment.a.y_m), 0.65 + 1e-9);  // the wall is at 0.5 m, and its surface at most 15 cm behind
         EXPECT_GE(std::hypot(segment.a.x_m, segment.a.y_m), 0.3);
     }
 }
@@ -127,7 +127,7 @@ TEST_P(BadWorldFile, IsRefusedWithTheKey) {
 
 INSTANTIATE_TEST_SUITE_P(
     All, BadWorldFile,
-    testing::Values(BadFile{R"({"way_point": [[1, 2]]})", "way_points"},  // the nearest known key
+    testing::Values(BadFile{R"({"way_point": [[1, 2]]})", "way_points"},  // the message names the nearest known key
                     BadFile{R"({"way_points": []})", "way_points"}, BadFile{R"({"way_points": [[1]]})", "way_points"},
                     BadFile{R"({"way_points": [[1, "two"]]})", "way_points"},
                     BadFile{R"({"way_points": [[1, 2]], "start": [0, 0]})", "start"},

@@ -34,7 +34,7 @@ TEST(SampleMotion, HasTheStatedSpreadAlongTheMotion) {
     }
     const double mean = sum / samples;
     const double sigma = std::sqrt(sum_of_squares / samples - mean * mean);
-    // Five standard errors of the mean and of the standard deviation.
+    // The bounds are five standard errors of the mean and of the standard deviation.
     EXPECT_NEAR(mean, 1.0, 5.0 * 0.1 / std::sqrt(samples));
     EXPECT_NEAR(sigma, 0.1, 5.0 * 0.1 / std::sqrt(2.0 * samples));
 }
@@ -67,7 +67,7 @@ struct Spread {
     double x = 0.0, y = 0.0, theta = 0.0;
 };
 
-/// Variances of the end of a straight metre driven in steps.
+/// The variances of the final pose after a straight metre that is driven in `steps` steps.
 Spread spread_after_a_metre(int steps, const MotionNoise& noise) {
     constexpr std::uint64_t samples = 20'000;
     Spread variance;
@@ -86,10 +86,11 @@ Spread spread_after_a_metre(int steps, const MotionNoise& noise) {
 
 TEST(SampleMotion, SpreadsAsFarInShortStepsAsInALongOne) {
     MotionNoise noise;
-    noise.rotation_per_translation = 0.01;  // a heading that errs would carry later steps aside
+    noise.rotation_per_translation = 0.01;  // small, because an error of the heading carries later steps sideways
     const Spread one = spread_after_a_metre(1, noise);
     const Spread many = spread_after_a_metre(10, noise);
-    constexpr double five_standard_errors = 5.0 * 2.0 / 141.0;  // of a ratio of variances from 20000 samples each
+    // of the ratio of two variances, each from 20000 samples
+    constexpr double five_standard_errors = 5.0 * 2.0 / 141.0;
     EXPECT_NEAR(many.x / one.x, 1.0, five_standard_errors);
     EXPECT_NEAR(many.theta / one.theta, 1.0, five_standard_errors);
     EXPECT_NEAR(many.y / one.y, 1.0, five_standard_errors + 0.05);

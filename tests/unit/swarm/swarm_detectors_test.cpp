@@ -54,7 +54,7 @@ TEST(EffectiveSizeDetector, IsTheShareOfParticlesWithoutWeight) {
 TEST(OracleDetector, WeighsTheScanAgainstTheOdometry) {
     const MotionNoise noise{0.1, 0.0, 0.1, 0.0};
     ParticleSnapshot swarm = snapshot_of({{}});
-    const double odometry_variance = 0.1 * 0.1 * 0.1;  // along x, over 0.1 m
+    const double odometry_variance = 0.1 * 0.1 * 0.1;  // the variance of the odometry along x over 0.1 m
     const auto degree = [&](double x_information) {
         const auto truth = std::make_shared<ScanTruth>();
         truth->add(swarm.stamp_ns, Eigen::Vector3d(x_information, 1e9, 1e9).asDiagonal());

@@ -43,7 +43,7 @@ TEST(SwarmShape, CountsAParticleOfTwiceTheWeightAsTwo) {
         swarm[i].weight = i == 0 ? 2.0 / 21.0 : 1.0 / 21.0;
     }
     doubled.push_back(doubled.front());
-    // The same sums over other degrees of freedom: 1 - sum w^2 against (n - 1) / n.
+    // The sums are the same, but they are divided by 1 - sum w^2 in one case and by (n - 1) / n in the other.
     const double freedom = 1.0 - (4.0 + 19.0) / (21.0 * 21.0);
     const SwarmShape weighted = swarm_shape(swarm, &SnapshotParticle::pose);
     const SwarmShape plain = unweighted_swarm_shape(doubled, &SnapshotParticle::pose);
@@ -57,7 +57,7 @@ TEST(SwarmShape, IsAPointWhereOneParticleHasAllTheWeight) {
     std::vector<SnapshotParticle> swarm = test::normal_swarm(20, 3, {0.3, 0.1});
     swarm[4].weight = 1.0;
     EXPECT_EQ(swarm_shape(swarm, &SnapshotParticle::pose).major_variance_m2, 0.0);
-    swarm[5].weight = 1e-12;  // so little that the weights' rounding would be seen
+    swarm[5].weight = 1e-12;  // so small that the rounding of the weights would be noticed
     EXPECT_EQ(swarm_shape(swarm, &SnapshotParticle::pose).major_variance_m2, 0.0);
 }
 

@@ -43,7 +43,7 @@ TEST(SystematicResampling, GivesEachParticleItsShareWithinOne) {
 }
 
 TEST(SystematicResampling, NeverPicksAParticleWithoutWeight) {
-    // The sum is short of one by rounding, so that the last slots are beyond it.
+    // The weights' sum is slightly below one, so that the last slots lie beyond it.
     const std::vector<double> weights{0.0, 0.5, 0.5 - 1e-9, 0.0};
     EXPECT_THAT(systematic_resampling(weights, 1.0 - 1e-10), testing::ElementsAre(1, 1, 2, 2));
 }

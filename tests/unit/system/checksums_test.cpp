@@ -12,7 +12,7 @@ namespace {
 using test::thrown_text;
 using testing::HasSubstr;
 
-TEST(Sha256, IsThatOfTheStandardsExamples) {  // FIPS 180-2, appendix B.1 and B.2
+TEST(Sha256, IsThatOfTheStandardsExamples) {  // the examples of FIPS 180-2, appendix B.1 and B.2
     EXPECT_EQ(sha256_of("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
     EXPECT_EQ(sha256_of("abcdbcdecdefdefgefghfghighijhijkijkljklmklmnlmnomnopnopq"),
               "248d6a61d20638b8e5c026930c3e6039a33ce45964ff2167f6ecedd419db06c1");

@@ -11,7 +11,7 @@ namespace {
 auto bytes(std::string_view text) { return std::as_bytes(std::span(text)); }
 
 TEST(Crc, Crc32CIsThatOfTheSpecification) {
-    // RFC 3720, B.4, and the check value of the catalogue of parametrised CRC algorithms.
+    // The values of RFC 3720, section B.4, and the check value in the catalogue of parametrised CRC algorithms.
     EXPECT_EQ(crc32c_of(bytes(std::string(32, '\0'))), 0x8a9136aaU);
     EXPECT_EQ(crc32c_of(bytes(std::string(32, '\xff'))), 0x62a8ab43U);
     EXPECT_EQ(crc32c_of(bytes("123456789")), 0xe3069283U);

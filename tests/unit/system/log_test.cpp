@@ -7,7 +7,7 @@
 namespace ddtool {
 namespace {
 
-/// Each line at its own level, as it comes out on stderr when `level` is the least to write.
+/// What appears on stderr if one line is written at each level, and `level` is the lowest one that is shown.
 std::string written_at(LogLevel level) {
     set_log_level(level);
     testing::internal::CaptureStderr();

@@ -23,7 +23,7 @@ TEST(FormatDuration, IsAQuestionMarkForWhatIsNoDuration) {
 }
 
 TEST(Progress, IsSilentWhereStderrIsNoTerminal) {
-    testing::internal::CaptureStderr();  // into a file
+    testing::internal::CaptureStderr();  // redirects stderr to a file
     {
         Progress progress("reading", "scans");
         progress.update(0.5, 10);

@@ -61,7 +61,7 @@ ParticleImage render(const Particles& particles, Swarm swarm) {
     return image;
 }
 
-/// The image as a mirror below it shows it.
+/// The image mirrored from top to bottom.
 ParticleImage mirrored(ParticleImage image) {
     for (std::size_t row = 0; row < image.size_px / 2; ++row) {
         const auto at = [&](std::size_t each) {
@@ -110,7 +110,7 @@ TEST(Augmentation, TurnsPosesAboutTheirMiddleAndMotionsAboutThePreviousPose) {
     }
 }
 
-/// All positions turned about the world's origin and the robot's previous pose.
+/// Turns all poses about the world's origin, and all motions about the robot's previous pose.
 Particles turned(Particles particles, double turn_rad) {
     for (SnapshotParticle& particle : particles) {
         for (const auto position : positions) {
@@ -191,7 +191,7 @@ TEST(Augmentation, ThinsEvenlyInTheLogarithmOfTheNumber) {
     constexpr std::size_t all = 240;
     const Particles swarm = drawn_swarm(all, 10);
     constexpr int draws = 4000;
-    std::array<int, 4> doublings{};  // 15-29, 30-59, 60-119, 120-240
+    std::array<int, 4> doublings{};  // counts of swarms with 15-29, 30-59, 60-119 and 120-240 particles
     int whole = 0;
     for (std::uint64_t seed = 0; seed < draws; ++seed) {
         const std::size_t count = augmented(swarm, resample, seed).size();

@@ -147,7 +147,7 @@ TEST(BatchLoader, TellsOfASampleWithoutALabelAfterTheBatchesBeforeIt) {
 }
 
 TEST_F(BatchLoaderTest, EndsWheneverItIsNoLongerWanted) {
-    // Before, while and after its queue fills, and in the middle.
+    // The loader is destroyed before, while and after its queue is filled, and in the middle of the epoch.
     for (int round = 0; round < 60; ++round) {
         BatchLoader loader(dataset_.data(), evaluation_pass(all_samples(), 1), small_images(), &augmentation_);
         std::this_thread::sleep_for(std::chrono::microseconds(50 * (round % 20)));

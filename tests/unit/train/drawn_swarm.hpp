@@ -8,8 +8,8 @@
 
 namespace ddtool::train::test {
 
-/// Particles whose every value is drawn: an oblong swarm of a metre or so about (40, -30) m that drove about 0.3 m.
-/// The log-likelihood is the particle's number.
+/// Particles with random values: an oblong swarm of about a metre around (40, -30) m that has moved by about 0.3 m. The
+/// log-likelihood of a particle is its number.
 inline std::vector<SnapshotParticle> drawn_swarm(std::size_t count, std::uint64_t seed) {
     RandomStream random({seed});
     std::vector<SnapshotParticle> particles(count);

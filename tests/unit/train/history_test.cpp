@@ -30,7 +30,7 @@ std::vector<EpochRecord> epochs_of(std::size_t count, double loss = 0.7) {
     return epochs;
 }
 
-/// Tells one file under a name from another one.
+/// The file's inode, which differs from that of another file under the same name.
 ino_t inode_of(const std::filesystem::path& file) {
     struct stat status {};
     return ::stat(file.c_str(), &status) == 0 ? status.st_ino : 0;

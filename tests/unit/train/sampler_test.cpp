@@ -13,7 +13,7 @@ namespace {
 
 using Samples = std::vector<std::size_t>;
 
-/// Positions with gaps, as those of a part of a split.
+/// Sample numbers with gaps, like those of a part of a split.
 Samples samples_of(std::size_t count) {
     Samples samples(count);
     std::iota(samples.begin(), samples.end(), 0U);
@@ -29,7 +29,7 @@ Samples joined(const std::vector<Samples>& batches) {
     return all;
 }
 
-/// Step by step the batches of all ranks, one after the other.
+/// The batches of all ranks, joined step by step.
 std::vector<Samples> of_all_ranks(std::size_t samples, std::size_t batch_size, std::size_t ranks) {
     std::vector<Samples> global;
     for (std::size_t rank = 0; rank < ranks; ++rank) {
@@ -100,7 +100,7 @@ TEST(TrainingEpoch, LeavesEverySampleOutAsOftenAsAnother) {
             left_out[index] += std::count(seen.begin(), seen.end(), all[index]) == 0 ? 1 : 0;
         }
     }
-    // Binomial with p = 0.4: a standard deviation of 22; 5 of them.
+    // The distribution is binomial with p = 0.4, whose standard deviation is 22. The bounds are five of them.
     EXPECT_THAT(left_out, testing::Each(testing::AllOf(testing::Gt(690), testing::Lt(910))));
 }
 

@@ -13,11 +13,11 @@
 namespace ddtool::train::test {
 
 struct SwarmDatasetOptions {
-    std::size_t unlabelled = SIZE_MAX;  ///< the sample that has no label
-    bool alike = false;                 ///< all swarms are the same
+    std::size_t unlabelled = SIZE_MAX;  ///< the number of the sample that has no label
+    bool alike = false;                 ///< whether all swarms are the same
 };
 
-/// A data set of drawn swarms of 20 to 50 particles. Every third one is degenerate.
+/// A data set of random swarms with 20 to 50 particles. Every third one is degenerate.
 class SwarmDataset {
 public:
     explicit SwarmDataset(std::size_t samples, const SwarmDatasetOptions& options = {}) {

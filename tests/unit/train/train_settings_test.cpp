@@ -10,7 +10,7 @@ namespace {
 using ddtool::test::thrown_text;
 using testing::HasSubstr;
 
-/// The default settings with one value changed; the path has slashes.
+/// The default settings with one value changed. The keys of the path are separated by slashes.
 TrainSettings with(const std::string& path, const Json& value) {
     Json json = TrainSettings();
     json[Json::json_pointer("/" + path)] = value;

@@ -21,7 +21,7 @@ torch::Tensor batch_of(std::int64_t n, double phase) {
     return formula_tensor({n, channels, 4, 5}, phase).mul(2.0).add(0.7).to(torch::kFloat).requires_grad_();
 }
 
-/// What a rank hands to the other.
+/// What a rank sends to the other one.
 torch::Tensor sent_by(const torch::Tensor& batch) {
     torch::Tensor sent;
     const auto norm = filled_norm();
@@ -30,21 +30,21 @@ torch::Tensor sent_by(const torch::Tensor& batch) {
     return sent;
 }
 
-/// The norm of a rank that has `batch` while the other has `other`.
+/// The layer of a rank that has `batch`, while the other rank has `other`.
 std::shared_ptr<BatchNorm> norm_beside(const torch::Tensor& other) {
     auto norm = filled_norm();
     norm->set_sum_over_ranks([sent = sent_by(other)](const torch::Tensor& own) { return own + sent; });
     return norm;
 }
 
-/// A loss whose gradient differs from value to value.
+/// A loss with another gradient for each value.
 torch::Tensor loss_of(const torch::Tensor& output) {
     return (output.square() * formula_tensor(output.sizes(), 0.9).to(torch::kFloat)).sum();
 }
 
 TEST(BatchNorm, TwoRanksAreOneWithBothBatches) {
     const torch::Tensor first = batch_of(2, 0.1);
-    const torch::Tensor second = batch_of(5, 0.2);  // ranks may have batches of different size
+    const torch::Tensor second = batch_of(5, 0.2);  // the ranks' batches may differ in size
     const auto whole = filled_norm();
     const auto rank_0 = norm_beside(second);
     const auto rank_1 = norm_beside(first);

@@ -11,7 +11,7 @@ namespace {
 
 using testing::ElementsAre;
 
-/// Of one pass in training mode, for its statistics, and then one in evaluation mode.
+/// The logits after one pass in training mode, which sets the statistics, and one in evaluation mode.
 torch::Tensor formula_logits(const network::DDModelTable& table) {
     const torch::NoGradGuard no_grad;
     DDModel network(table, 224);
@@ -45,7 +45,7 @@ TEST(DDModel, HasTheDocumentedNumberOfParameters) {
     EXPECT_EQ(parameter_count(DDModel(network::ddmodel_lite_table(), 224)), 118'770);
 }
 
-// The tables' blocks are free to vary in number: each one more adds two convolutions and their normalisations.
+// The number of blocks in a table is free: each additional block adds two convolutions and their normalisations.
 TEST(DDModel, GrowsByTheBlocksOfItsTable) {
     network::DDModelTable deeper = network::ddmodel_lite_table();
     deeper.groups.back().blocks = 3;

@@ -14,7 +14,7 @@ torch::Tensor parameter(const torch::nn::Module& module, const std::string& name
     return module.named_parameters()[name];
 }
 
-/// LibTorch's own attention, which takes [tokens, n, width], with the layer's weights.
+/// The result of LibTorch's own attention, which takes [tokens, n, width], with the weights of this layer.
 torch::Tensor reference_attention(const EncoderLayer& layer, std::int64_t heads, const torch::Tensor& x) {
     torch::nn::MultiheadAttention attention(width, heads);
     attention->in_proj_weight.copy_(parameter(layer, "query_key_value.weight"));

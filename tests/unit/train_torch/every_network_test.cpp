@@ -16,7 +16,7 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-constexpr std::int64_t checked_size_px = 96;  // small, for speed
+constexpr std::int64_t checked_size_px = 96;  // small, to save time
 
 class EveryNetwork : public testing::TestWithParam<std::string> {
 protected:
@@ -89,7 +89,7 @@ TEST_P(EveryNetwork, LearnsEightSamplesByHeart) {
 TEST_P(EveryNetwork, Bf16IsNearAndItsLogitsAreFloat) {
     fill_by_formula(*network_);
     const torch::Tensor images = formula_images(4, checked_size_px);
-    network_->forward(images);  // for the running statistics
+    network_->forward(images);  // sets the running statistics
     network_->eval();
     const torch::NoGradGuard no_grad;
     const torch::Tensor expected = network_->forward(images);
@@ -112,7 +112,7 @@ TEST_P(EveryNetwork, Bf16Trains) {
     }
 }
 
-// What lib/train/src/train/torch promises the exporter: no view carries the batch of the trace.
+// The layers in lib/train/src/train/torch promise the exporter that no view() depends on the traced batch's size.
 TEST_P(EveryNetwork, TraceOfTwoAnswersForAnyBatch) {
     network_->eval();
     for (torch::Tensor& parameter : network_->parameters()) {

@@ -97,7 +97,7 @@ TEST(LoadTorchScript, NamesAFileThatIsNone) {
     EXPECT_THAT(test::thrown_text([&] { (void)load_torch_script(path, {}); }), testing::StartsWith(path.string()));
 }
 
-/// A module that has a model's description inside, and any code.
+/// Writes a module that contains a model's description, but any code.
 void write_module(const std::filesystem::path& path, const std::string& forward) {
     torch::jit::Module module("Stranger");
     module.register_attribute("training", c10::BoolType::get(), false);

@@ -7,8 +7,9 @@
 
 namespace ddtool::train_torch {
 
-/// A tensor of that shape filled by a formula that gives the same on every machine and in every version of LibTorch:
-/// sin(phase + (index^2 mod 65537)), index in row-major order. scripts/make-mobilenet-reference has it too.
+/// A tensor that is filled by a formula, which gives the same values on every machine and in every version of LibTorch:
+/// sin(phase + (index^2 mod 65537)), with the index in row-major order. scripts/make-mobilenet-reference uses the same
+/// formula.
 inline torch::Tensor formula_tensor(torch::IntArrayRef shape, double phase) {
     torch::Tensor values = torch::empty(shape, torch::kDouble);
     auto* value = values.data_ptr<double>();
@@ -18,8 +19,8 @@ inline torch::Tensor formula_tensor(torch::IntArrayRef shape, double phase) {
     return values;
 }
 
-/// Weights of two and more axes become 2 / sqrt(fan-in) times the formula; what has one axis is shifted a little from
-/// where it starts, 0 or 1. The phase is the parameter's number.
+/// Fills all parameters of a network. Those with two or more axes become 2 / sqrt(fan-in) times the formula; those with
+/// one axis are shifted a little from their initial value of 0 or 1. The phase is the number of the parameter.
 inline void fill_by_formula(torch::nn::Module& network) {
     const torch::NoGradGuard no_grad;
     double phase = 0.0;
@@ -35,7 +36,7 @@ inline void fill_by_formula(torch::nn::Module& network) {
     }
 }
 
-/// n different images of dots, [n, 1, size_px, size_px], 0 or 1.
+/// n different images of dots, as a tensor [n, 1, size_px, size_px] of zeros and ones.
 inline torch::Tensor formula_images(std::int64_t n, std::int64_t size_px) {
     return formula_tensor({n, 1, size_px, size_px}, 0.5).gt(0.9).to(torch::kFloat);
 }

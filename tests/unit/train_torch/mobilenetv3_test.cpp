@@ -14,7 +14,7 @@ namespace {
 
 using testing::ElementsAre;
 
-/// What torchvision's network is and answers (scripts/make-mobilenet-reference).
+/// The parameters and answers of torchvision's network, written by scripts/make-mobilenet-reference.
 const nlohmann::json& reference() {
     static const auto json = nlohmann::json::parse(std::ifstream(MODELS_TEST_DIR "/mobilenetv3_reference.json"));
     return json;
@@ -30,7 +30,7 @@ TEST(MobileNetV3, HasTorchvisionsParameters) {
     EXPECT_EQ(shapes, reference()["shapes"].get<std::vector<std::vector<std::int64_t>>>());
 }
 
-// The pass in training mode compares the statistics' momentum and epsilon too.
+// The pass in training mode makes the comparison cover the momentum and the epsilon of the statistics, too.
 TEST(MobileNetV3, AnswersAsTorchvisionAfterAPassInTrainingMode) {
     const torch::NoGradGuard no_grad;
     MobileNetV3 network({.in_channels = 3, .classes = 4});
@@ -53,7 +53,7 @@ TEST(MobileNetV3, ReadsOneChannelAndEndsInTheTablesMap) {
     const torch::Tensor images = formula_images(2, 224);
     EXPECT_THAT(network.feature_map(images).sizes(), ElementsAre(2, 960, 7, 7));
     EXPECT_THAT(network.forward(images).sizes(), ElementsAre(2, 2));
-    EXPECT_EQ(parameter_count(network), 4'204'306);  // docs/models.md
+    EXPECT_EQ(parameter_count(network), 4'204'306);  // the number in docs/models.md
 }
 
 }  // namespace

@@ -9,7 +9,7 @@
 namespace ddtool::train_torch {
 namespace {
 
-/// Without a mark, with few, with many, with all, and with one blob in a corner.
+/// Images without marks, with few, with many, with all pixels marked, and with one blob in a corner.
 torch::Tensor images_of_all_kinds() {
     torch::Tensor images = torch::zeros({5, 1, size_px, size_px});
     images[1] = drawn_images(1)[0];

@@ -7,7 +7,7 @@
 
 namespace ddtool::train_torch {
 
-/// Same shape, and no value further from the other's than the tolerance.
+/// Succeeds if the shapes are equal and no value differs from the expected one by more than the tolerance.
 inline testing::AssertionResult near(const torch::Tensor& actual, const torch::Tensor& expected, double tolerance) {
     if (actual.sizes() != expected.sizes()) {
         return testing::AssertionFailure() << actual.sizes() << " instead of " << expected.sizes();

@@ -1,5 +1,5 @@
-"""Opens an exported model in Python and compares: open_model.py MODEL.pt IMAGES VALUES, float32 files as they lie in
-memory. Exits 1 where a value differs by more than 1e-5 or the description is missing."""
+"""Opens an exported model in Python and compares its answers: open_model.py MODEL.pt IMAGES VALUES. The last two are files
+of raw float32 values. Exits 1 if a value differs by more than 1e-5 or the description is missing."""
 import json
 import sys
 

@@ -18,7 +18,7 @@ TEST(LearningRate, RisesLinearlyThenFallsToItsFinalShare) {
     }
 }
 
-/// Every optimiser takes a parabola's parameter towards its lowest point.
+/// Every optimiser must move the parameter of a parabola towards its minimum.
 class Descent : public testing::TestWithParam<const char*> {};
 
 TEST_P(Descent, FindsTheLowestPoint) {

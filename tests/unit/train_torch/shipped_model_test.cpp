@@ -10,7 +10,7 @@
 namespace ddtool::train_torch {
 namespace {
 
-/// Degrees of drawn swarms of 30 particles whose matches keep that share of what odometry predicted along x.
+/// The degrees of random swarms of 30 particles, whose matches keep the given share of the predicted spread along x.
 std::vector<double> degrees_of(DegreeModel& model, double share) {
     ParticleRenderer renderer(model.description().image);
     const std::size_t pixels = renderer.settings().size_px * renderer.settings().size_px;

@@ -42,7 +42,8 @@ protected:
                                                    std::chrono::milliseconds delay) {
         const Communicator alone(std::nullopt, torch::Device(request.device));
         Trainer trainer(request, alone);
-        // Joined before the trainer goes, who alone takes the signal for a request.
+        // The thread is joined before the trainer is destroyed: only while it exists does the signal count as a request
+        // and not end the program.
         std::thread disturbance([delay] {
             std::this_thread::sleep_for(delay);
             std::raise(SIGTERM);
@@ -98,7 +99,7 @@ TEST_F(TrainerTest, AnEpochThatFailedAtItsEndIsEndedTheSameAfterwards) {
     train::TrainRequest broken = request("broken");
     broken.resume = true;
     broken.checkpoint_interval_s = 0.0;
-    std::filesystem::create_directories(broken.out / "best.pt");  // where the file should go
+    std::filesystem::create_directories(broken.out / "best.pt");  // takes the place of the file
     EXPECT_THAT(test::thrown_text([&] { train(broken); }), testing::HasSubstr("best.pt"));
     std::filesystem::remove(broken.out / "best.pt");
     train(broken);

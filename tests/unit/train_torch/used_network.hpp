@@ -24,7 +24,7 @@ inline ModelDescription described(const std::string& network, const std::string&
     return about;
 }
 
-/// Sparse, as particle images are, some more than others.
+/// Random sparse images, like particle images. Some have more marks than others.
 inline torch::Tensor drawn_images(std::int64_t count) {
     return (torch::rand({count, 1, size_px, size_px}) < 0.3 * torch::rand({count, 1, 1, 1})).to(torch::kFloat32);
 }
@@ -35,14 +35,14 @@ inline std::vector<double> degrees_by(DegreeModel& model, const torch::Tensor& i
     return degrees;
 }
 
-/// Whether the degrees of images tell them apart; where they do not, no wrong network can be told by them either.
+/// Whether the degrees differ from image to image. If they do not, a wrong network would not be noticed by them either.
 inline bool differ(const std::vector<double>& degrees) {
     const auto [least, greatest] = std::minmax_element(degrees.begin(), degrees.end());
     return *greatest - *least > 1e-3;
 }
 
-/// A network whose batch statistics are those of a batch. One step's, a tenth or a hundredth of the way there, would
-/// leave most of the layers answering every image alike.
+/// A network whose running statistics are those of a batch. A single training step would move them only a tenth or a
+/// hundredth of the way there, and most layers would then give the same answer for every image.
 inline std::shared_ptr<Network> used_network(const std::string& name) {
     torch::manual_seed(7);
     auto network = make_network(name, size_px);

@@ -6,12 +6,13 @@
 namespace ddtool {
 
 /// Eight floats that are processed together. Sums are kept lane by lane and added up in one fixed order, so that a
-/// result has the same bytes whatever vector width the processor has.
+/// result has the same bytes for every vector width of the processor.
 inline constexpr std::size_t lane_count = 8;
 using Lanes = float __attribute__((vector_size(lane_count * sizeof(float))));
 
-/// DDTOOL_VECTORISED compiles a function for several vector widths; the processor's best is chosen when the program
-/// starts. DDTOOL_VECTORISED_WIDE is for one whose vectors are twice as wide as Lanes: it is fast with AVX-512 alone.
+/// DDTOOL_VECTORISED compiles a function for several vector widths; the best one for the processor is chosen when the
+/// program starts. DDTOOL_VECTORISED_WIDE is for functions whose vectors are twice as wide as Lanes, which are fast
+/// only with AVX-512.
 #if defined(__x86_64__) && !defined(__SANITIZE_THREAD__) && !defined(__SANITIZE_ADDRESS__)
 #define DDTOOL_VECTORISED __attribute__((target_clones("arch=x86-64-v3", "default")))
 #define DDTOOL_VECTORISED_WIDE __attribute__((target_clones("arch=x86-64-v4", "default")))

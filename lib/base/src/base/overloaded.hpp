@@ -2,7 +2,7 @@
 
 namespace ddtool {
 
-/// One function object of many, for std::visit: overloaded{[](const A&) {...}, [](const B&) {...}}.
+/// Combines several function objects into one, for std::visit: overloaded{[](const A&) {...}, [](const B&) {...}}.
 template <typename... Functions>
 struct overloaded : Functions... {
     using Functions::operator()...;

@@ -9,10 +9,13 @@ namespace ddtool {
 namespace {
 
 constexpr std::int64_t ns_per_s = 1'000'000'000;
+/// The largest stamp in seconds; 64-bit nanoseconds reach up to 9.2e9 s.
 constexpr std::int64_t longest_s = 9'000'000'000;
 constexpr std::string_view separators = " \t\r,";
 
-/// As numpy.savetxt, and with it evo, writes stamps. 64 bits of mantissa keep nanoseconds.
+/// Parses a stamp in scientific notation, the form in which numpy.savetxt, and with it evo, writes stamps. A long
+/// double is used because its mantissa, which has 64 bits on x86, holds nanoseconds since 1970; that of a double does
+/// not.
 std::optional<std::int64_t> parse_scientific_stamp(std::string_view word) {
     long double seconds = 0.0L;
     const auto [end, error] = std::from_chars(word.begin(), word.end(), seconds);

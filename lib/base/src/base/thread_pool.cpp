@@ -7,8 +7,8 @@
 namespace ddtool {
 namespace {
 
-/// To wake a sleeping thread takes longer than many a round does, so whoever waits first looks for a while, giving way
-/// to anyone else who has use for the processor.
+/// Polls the condition for a short while, because to wake a sleeping thread takes longer than many a loop does. Other
+/// threads that need the processor get it meanwhile.
 template <typename Condition>
 void await_briefly(const Condition& condition) {
     constexpr int looks = 200;  // about 0.1 ms on an idle processor
@@ -28,7 +28,7 @@ ThreadPool::ThreadPool(std::size_t threads) {
             workers_.emplace_back([this, worker] { work(worker); });
         }
     } catch (const std::system_error&) {
-        // The system has no more threads to give: those there are do the work, with the same results.
+        // The system cannot start more threads. Those that exist do all the work, with the same results.
     }
 }
 

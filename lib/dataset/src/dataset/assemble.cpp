@@ -13,7 +13,8 @@
 namespace ddtool::dataset {
 namespace {
 
-/// The particles of candidates, of one part at a time: asked for run by run, each part is opened once.
+/// Gives access to the particles of the candidates. One part is open at a time, so callers should go through the
+/// samples run by run.
 class PartParticles {
 public:
     explicit PartParticles(const std::vector<RunResult>& results) : results_(results) {}
@@ -21,7 +22,8 @@ public:
     [[nodiscard]] const MappedShard& shard(std::uint32_t run) {
         if (!shard_ || run != run_) {
             const StoredPart& part = *results_[run].value;
-            shard_.emplace(part.folder, part.shard, Check::sizes);  // read in full when it was made or found
+            // the sizes are enough here: the content was checked when the part was found, or has just been written
+            shard_.emplace(part.folder, part.shard, Check::sizes);
             run_ = run;
         }
         return *shard_;
@@ -33,14 +35,15 @@ private:
     std::uint32_t run_ = 0;
 };
 
-/// The filter that made the snapshots; the defaults where nobody knows.
+/// The settings of the filter that made the snapshots. For recorded snapshots they are not known, so the defaults are
+/// taken.
 RbpfSettings filter_of(const PlannedRun& run) {
     return std::visit(overloaded{[](const RecordedRun&) { return RbpfSettings{}; },
                                  [](const auto& source) { return source.filter.rbpf; }},
                       run.source);
 }
 
-/// All samples of all parts, labelled, run by run. first_particle is that of the part.
+/// The samples of all parts with their labels, run by run. first_particle still counts within the part.
 std::vector<SampleRecord> labelled_candidates(const RunPlan& plan, const std::vector<RunResult>& results,
                                               const LabelSettings& rules) {
     std::vector<SampleRecord> records;
@@ -56,7 +59,8 @@ std::vector<SampleRecord> labelled_candidates(const RunPlan& plan, const std::ve
             record.run = run;
             set_labels(record, shard.particles(record), filter, rules);
             if (!std::holds_alternative<WorldRun>(plan.runs[run].source)) {
-                record.label[index_of(LabelRule::fisher)] = Label::unknown;  // good for ranks, not for the rule
+                // this information may enter rank correlations, but it is not exact enough for the rule
+                record.label[index_of(LabelRule::fisher)] = Label::unknown;
             }
             records.push_back(record);
         }
@@ -88,7 +92,7 @@ SampleChance chance_of(const RunPlan& plan, std::uint64_t seed) {
     return {seed, keys};
 }
 
-/// Drops what neither rule chose.
+/// Removes the samples that neither rule chose.
 void keep_used(std::vector<SampleRecord>& records) {
     std::erase_if(records, [](const SampleRecord& record) {
         return record.part_of(LabelRule::dispersion, Split::paper) == Part::unused &&
@@ -120,7 +124,8 @@ std::vector<ShardEntry> write_shards(const std::filesystem::path& folder, const 
     return entries;
 }
 
-/// An older data set ends here: without its manifest it is none, and shards of it that are not replaced are litter.
+/// Removes an older data set from the folder. Without its manifest it is no data set any more, and shards that are not
+/// overwritten would be left behind.
 void remove_older(const std::filesystem::path& folder) {
     std::filesystem::remove(folder / manifest_name);
     std::filesystem::remove_all(folder / images_name);

@@ -8,10 +8,11 @@
 
 namespace ddtool::dataset {
 
-/// Neighbouring snapshots are near-copies, so that a run gives only some of them.
+/// How the snapshots of a run are thinned. Neighbouring snapshots are almost copies of each other, so only some are
+/// kept.
 struct ThinningSettings {
-    std::uint64_t every = 3;          ///< one of this many consecutive snapshots is kept, chosen by chance
-    std::uint64_t most_per_run = 80;  ///< if there are more, this many of them, chosen by chance
+    std::uint64_t every = 3;          ///< one of this many consecutive snapshots is kept, chosen at random
+    std::uint64_t most_per_run = 80;  ///< if more are left, this many of them are kept, chosen at random
 };
 
 /// How many samples of each class are wanted; the defaults are the paper's.
@@ -20,7 +21,7 @@ struct BalanceSettings {
     std::uint64_t not_degenerate = 3827;
 };
 
-/// What a data set is put together by, once the runs are there.
+/// The settings by which finished runs are assembled to a data set.
 struct AssemblySettings {
     std::uint64_t seed = 1;  ///< of the choice of samples
     LabelSettings labels;
@@ -38,7 +39,7 @@ Json default_build_json();
 AssemblySettings assembly_from_json(const Json& settings);
 ThinningSettings thinning_from_json(const Json& thinning);
 
-/// What the runs themselves are made by, but for their items. Throws UsageError naming the key, too.
+/// The settings by which the runs themselves are made, except those of their items. Throws UsageError naming the key.
 void expect_valid_plan(const Json& settings);
 
 }  // namespace ddtool::dataset

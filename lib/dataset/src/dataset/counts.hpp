@@ -11,7 +11,7 @@
 
 namespace ddtool::dataset {
 
-/// Samples of both classes.
+/// The number of samples of both classes.
 struct ClassCounts {
     std::uint64_t degenerate = 0;
     std::uint64_t not_degenerate = 0;
@@ -30,7 +30,7 @@ private:
     static std::size_t place(Part part) { return index_of(part) - index_of(Part::train); }
 };
 
-/// How many samples of a data set have which label and part.
+/// The number of samples of a data set, by label and part.
 struct Counts {
     std::array<RuleCounts, 2> by_rule;  ///< by LabelRule
 
@@ -38,7 +38,8 @@ struct Counts {
     [[nodiscard]] RuleCounts& of(LabelRule rule) { return by_rule[index_of(rule)]; }
 };
 
-/// The manifest's `counts`: by rule what was wanted, the candidates, and the chosen in the parts of each split.
+/// The manifest's `counts`: for each rule the wanted numbers, the candidates, and the chosen samples in the parts of
+/// each split.
 void to_json(Json& json, const Counts& counts);
 void from_json(const Json& json, Counts& counts);
 

@@ -16,7 +16,7 @@ namespace {
 
 using Particles = std::span<const SnapshotParticle>;
 
-/// What might tell the physics.
+/// A quantity that may agree with the physical ratio.
 struct Measure {
     const char* name;
     std::function<double(const SampleRecord&, Particles)> value;
@@ -40,10 +40,10 @@ const std::vector<Measure>& measures() {
     return all;
 }
 
-/// How many samples have which label.
+/// The number of samples with each label.
 struct LabelCounts {
     std::int64_t samples = 0;
-    std::array<std::int64_t, 2> degenerate{};  ///< by rule
+    std::array<std::int64_t, 2> degenerate{};  ///< for each rule
     std::array<std::int64_t, 2> unknown{};
 
     void add(const SampleRecord& sample) {
@@ -68,12 +68,12 @@ void add_rows(Table& table, const char* name, const std::map<GroupKey, LabelCoun
     }
 }
 
-/// Samples whose physical ratio is known, as columns.
+/// The samples whose physical ratio is known, as columns.
 struct LabelledPairs {
-    std::vector<bool> degenerate;  ///< by the physics
+    std::vector<bool> degenerate;  ///< according to the physical ratio (label `fisher`)
     std::vector<double> weak_sd_m;
     std::vector<std::vector<double>> measured = std::vector<std::vector<double>>(measures().size());
-    std::int64_t labelled = 0;  ///< with both labels
+    std::int64_t labelled = 0;  ///< number of samples that have both labels
     std::int64_t same = 0;
 
     void add(const SampleRecord& sample, Particles swarm) {

@@ -5,10 +5,11 @@
 
 namespace ddtool::dataset {
 
-/// Samples of each class in the parts of each split, by label rule.
+/// The number of samples of each class in the parts of each split, by label rule.
 Table class_table(const Counts& counts);
 
-/// Samples and shares of degenerate ones by family of scenes, particle count, lidar, odometry and update distance.
+/// The number of samples and the share of degenerate ones, by family of scenes, number of particles, lidar, odometry
+/// and update distance.
 Table group_table(const Dataset& data);
 
 /// How well the measures agree with the physics: over simulated worlds and over logs, for R over each weight and for
@@ -20,8 +21,8 @@ Table agreement_table(const Dataset& data);
 /// The tables as JSON, for other programs.
 Json description_json(const Dataset& data);
 
-/// Standard deviation that the scan leaves along the weakest direction over that of the odometry. Infinite where
-/// nothing holds the pose, NaN where unknown.
+/// The standard deviation that the scan leaves along the weakest direction, divided by that of the odometry. Infinite
+/// if the scan does not determine the pose along it, NaN if it is unknown.
 double physical_ratio(const SampleRecord& sample);
 
 }  // namespace ddtool::dataset

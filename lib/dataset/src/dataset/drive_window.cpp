@@ -6,7 +6,8 @@
 namespace ddtool::dataset {
 namespace {
 
-/// By the filter's own rule, on the true way.
+/// The number of updates that the filter makes on the drive. The filter decides by the odometry when to make an update;
+/// here its rule is applied to the true trajectory.
 std::uint64_t updates_on(const Trajectory& way, double distance_m, double turn_rad) {
     std::uint64_t updates = 0;
     Pose2 last = way.front().pose;

@@ -10,7 +10,7 @@
 
 namespace ddtool::dataset {
 
-/// The part of a drive that a run filters: all of it, or, where that would cost too much, a piece.
+/// The part of a drive that a run filters: all of it, or a piece of it if all would cost too much.
 struct DriveWindow {
     std::size_t first_frame = 0;
     std::uint64_t most_updates = 0;      ///< the run ends after this many updates
@@ -22,8 +22,8 @@ struct DriveWindow {
     }
 };
 
-/// Particles times updates is what a run costs; a drive that would take more than `most_particle_updates` is cut to a
-/// piece that begins at a place drawn at random.
+/// The cost of a run is the number of particles times the number of updates. A drive that would cost more than
+/// `most_particle_updates` is cut to a piece that begins at a random place.
 DriveWindow window_of(const sim::Simulation& simulation, const RunEntry& run, std::uint64_t most_particle_updates,
                       RandomStream random);
 

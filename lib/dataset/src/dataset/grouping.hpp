@@ -9,23 +9,23 @@
 
 namespace ddtool::dataset {
 
-/// A group of samples by its name; names of numbers sort like the numbers.
+/// The name of a group of samples. Names that are numbers are sorted by value.
 struct GroupKey {
     double number = 0.0;
     std::string text;
     bool operator<(const GroupKey& other) const { return std::tie(number, text) < std::tie(other.number, other.text); }
 };
 
-/// A way to part samples into groups.
+/// A way to divide samples into groups.
 struct Grouping {
     const char* name;
     GroupKey (*key)(const SampleRecord&, const RunEntry&);
 };
 
-/// By family of scenes, lidar, odometry, method, update distance and particles.
+/// The groupings by family of scenes, lidar, odometry, method, update distance and number of particles.
 const std::vector<Grouping>& groupings();
 
-/// The scene's name; all drawn worlds of a kind are one family, such as random:office.
+/// The name of the scene, or for a world that was drawn at random its kind, such as random:office.
 std::string scene_family(const RunEntry& run);
 
 }  // namespace ddtool::dataset

@@ -17,14 +17,14 @@ std::string file_name(std::size_t index) {
     return text;
 }
 
-/// Where the images of one class in one part lie.
+/// The folder for the images of one class in one part.
 std::filesystem::path class_folder(const std::filesystem::path& images, LabelRule rule, Split split, Part part,
                                    Label label) {
     return images / label_rule_names[index_of(rule)] / split_names[index_of(split)] / part_names[index_of(part)] /
            class_names[index_of(label)];
 }
 
-/// Calls visit(folder) for each place in which the sample's image belongs.
+/// Calls visit(folder) for each folder in which the sample's image belongs.
 void for_each_place(const std::filesystem::path& images, const SampleRecord& sample, const auto& visit) {
     for (const LabelRule rule : all_label_rules) {
         for (const Split split : all_splits) {

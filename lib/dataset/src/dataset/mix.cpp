@@ -7,7 +7,8 @@
 namespace ddtool::dataset {
 namespace {
 
-/// Draws even from an empty list, so that the other draws do not depend on it.
+/// Draws an entry of the list. A number is drawn even if the list is empty, so that the values drawn from the other
+/// lists do not depend on it.
 template <typename Value>
 std::optional<Value> drawn(const std::vector<Value>& list, RandomStream& random) {
     const std::uint64_t index = random.index(list.empty() ? 1 : list.size());
@@ -22,7 +23,7 @@ bool is_pair_of_numbers(const Json& value) {
     return value.is_array() && value.size() == 2 && value[0].is_number() && value[1].is_number();
 }
 
-/// The list of a key of the mix, of which every item fits.
+/// Returns the lists of a mix by their keys, after a check that every item is of the expected kind.
 class Lists {
 public:
     Lists(const Json& mix, const std::string& where) : mix_(mix), where_(where) {}

@@ -16,7 +16,8 @@ struct UpdateDistance {
     double turn_rad = 0.0;
 };
 
-/// What the runs of an item may differ in: each run draws one of each list. An empty list leaves its setting alone.
+/// The values in which the runs of an item may differ. Each run draws one value from each list. If a list is empty, the
+/// setting is not changed.
 struct Mix {
     std::vector<std::uint64_t> particles;
     std::vector<std::string> lidars;    ///< presets
@@ -25,10 +26,10 @@ struct Mix {
     std::vector<std::string> methods;  ///< of the filter
 };
 
-/// Throws UsageError naming `where` and the key for a list of something else.
+/// Throws UsageError naming `where` and the key if an item of a list is of another kind.
 Mix mix_from_json(const Json& json, const std::string& where);
 
-/// What one run drew.
+/// The values that one run drew.
 struct Variant {
     std::optional<std::uint64_t> particles;
     std::optional<std::string> lidar;

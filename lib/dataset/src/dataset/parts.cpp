@@ -23,7 +23,7 @@ std::optional<std::size_t> number_in(std::string_view text) {
     return error == std::errc() && end == text.data() + text.size() ? std::optional(number) : std::nullopt;
 }
 
-/// The run as a job; what it is made of must outlive it.
+/// The run as a job. All arguments must outlive the job.
 jobs::Job<StoredPart> job_of(const RunPlan& plan, const PlannedRun& run, PartStore& store, const std::string& program) {
     const auto make = [&](const jobs::OnProgress& on_progress) {
         return store.save(run, make_run(run, on_progress), program);

@@ -23,14 +23,15 @@ struct StoredPart {
     ShardEntry shard;
 };
 
-/// What became of a planned run.
+/// The result of a planned run: a stored part or a failure.
 using RunResult = jobs::Result<StoredPart>;
 
-/// Finished runs, by their ids, under parts/ of a data set's folder: ID.samples.npy, ID.particles.npy, and ID.json
-/// last. See jobs::Store. Safe to use from many threads.
+/// The finished runs in the folder parts/ of a data set, by their ids: ID.samples.npy, ID.particles.npy, and ID.json,
+/// which is written last. See jobs::Store. Safe to use from many threads.
 class PartStore {
 public:
-    /// New parts go into `folder`; they are looked for there and in `others`. Makes the folder; throws Error.
+    /// New parts are written to `folder`; existing ones are searched there and in `others`. Creates the folder. Throws
+    /// Error.
     PartStore(const std::filesystem::path& folder, const std::vector<std::string>& others);
 
     /// Returns nullopt for a run that has not been made and, after a warning, for one with a damaged file. Reads every
@@ -42,7 +43,7 @@ private:
     std::vector<jobs::Store> stores_;  ///< the first is written to
 };
 
-/// Part `index` of `count`, for machines that share the work: every count-th run.
+/// Share `index` of `count` shares, for several machines that divide the work. It consists of every count-th run.
 struct WorkShare {
     std::size_t index = 1;
     std::size_t count = 1;
@@ -52,12 +53,13 @@ struct WorkShare {
 /// From "3/8", the third of eight. Throws UsageError.
 WorkShare parse_work_share(const std::string& text);
 
-/// Gives every run of the share a result: from the store where it is there, else by making it, as jobs::run() does.
-/// `program` names the build that computes. The results of runs outside the share have neither a value nor a failure.
+/// Gives every run of the share a result: the stored one if there is one, or else one from making the run, as
+/// jobs::run() does. `program` names the build that computes. Runs outside of the share get neither a value nor a
+/// failure.
 std::vector<RunResult> make_parts(const RunPlan& plan, const WorkShare& share, PartStore& store, ThreadPool& threads,
                                   const std::string& program);
 
-/// All runs from the store; throws Error naming how many are missing and the first.
+/// Returns all runs from the store. Throws Error naming the number of missing runs and the first of them.
 std::vector<RunResult> find_parts(const RunPlan& plan, const PartStore& store);
 
 }  // namespace ddtool::dataset

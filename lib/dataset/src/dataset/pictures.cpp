@@ -20,7 +20,8 @@ namespace {
 
 constexpr std::size_t histogram_columns = 3;
 constexpr std::size_t bins = 40;
-constexpr double least_log = -3.0;  ///< what is beyond is counted at the end, 0 and infinity too
+/// values beyond these limits, including 0 and infinity, are counted in the first or the last bin
+constexpr double least_log = -3.0;
 constexpr double most_log = 3.0;
 
 struct FamilyValues {
@@ -69,13 +70,13 @@ void draw_families(const std::filesystem::path& file, const std::map<std::string
     figure.write_png(file);
 }
 
-constexpr std::size_t tiles = 6;  ///< of a class in a row
+constexpr std::size_t tiles = 6;  ///< for each class, in one row
 constexpr double tile_px = 112.0;
 
 using Indices = std::vector<std::size_t>;
 using ByClass = std::array<Indices, 2>;
 
-/// Used samples of both classes, family by family.
+/// The used samples of both classes, for each family of scenes.
 std::map<std::string, ByClass> used_samples(const Dataset& data, LabelRule rule) {
     std::map<std::string, ByClass> families;
     for (std::size_t index = 0; index < data.size(); ++index) {

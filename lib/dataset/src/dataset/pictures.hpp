@@ -8,11 +8,12 @@
 
 namespace ddtool::dataset {
 
-/// Draws dispersion.png and fisher.png into the folder: for each family of scenes a histogram of what the label rule
-/// looks at, R or the physical ratio, on a logarithmic axis, and the share of samples that it calls degenerate.
+/// Draws dispersion.png and fisher.png into the folder. For each family of scenes they show a histogram of the quantity
+/// that the label rule compares with its threshold (R or the physical ratio) on a logarithmic axis, and the share of
+/// degenerate samples.
 void draw_histograms(const std::filesystem::path& folder, const Dataset& data);
 
-/// "montage-RULE-SWARM.png".
+/// The file's name, "montage-RULE-SWARM.png".
 std::string montage_name(LabelRule rule, Swarm swarm);
 
 /// Draws montage-RULE-SWARM.png into the folder for both label rules and all swarms: one row for each family of scenes,

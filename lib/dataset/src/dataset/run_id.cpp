@@ -8,7 +8,7 @@
 namespace ddtool::dataset {
 namespace {
 
-/// The object with one more member, behind that of the given key.
+/// A copy of the object with one more member, which is placed behind the member of the given key.
 Json with_behind(const Json& object, const std::string& key, const std::string& added, const Json& value) {
     Json result = Json::object();
     for (const auto& [name, member] : object.items()) {

@@ -4,10 +4,10 @@
 
 namespace ddtool::dataset {
 
-/// What the id of a run is the fingerprint of: its configuration in the form that it had when data sets were first
-/// published. The id decides which of the run's snapshots are kept, so that a data set built again comes out the same
-/// only while this text is the same: settings that have become constants still stand in it, and those that change no
-/// snapshot do not.
+/// The text whose fingerprint is the id of a run: its configuration in the form that it had when data sets were first
+/// published. The id decides which snapshots of the run are kept, so a data set that is built again is the same only as
+/// long as this text does not change. Therefore it still contains settings that have become constants, and it does not
+/// contain settings that change no snapshot.
 Json identity_of(Json configuration);
 
 }  // namespace ddtool::dataset

@@ -18,10 +18,12 @@
 namespace ddtool::dataset {
 namespace {
 
-/// Raised when parts of before no longer hold what this program would compute.
+/// Part of every run's key. It is increased when parts that were made earlier differ from what this program would
+/// compute.
 constexpr int plan_format = 2;
 
-/// A plain world and its textured variant are one scene: the robot drives the same way between the same walls.
+/// The scene's name of a world. A plain world and its textured variant are one scene, because the robot drives the same
+/// path between the same walls.
 std::string plain_name(std::string world) {
     constexpr std::string_view textured = "-textured";
     if (world.ends_with(textured)) {
@@ -54,7 +56,8 @@ public:
 private:
     using Add = void (Planner::*)(const Json& item, const std::string& where);
 
-    /// Items are names or objects; what an object does not say is as the defaults have it.
+    /// Calls `add` for every item of the list. An item is a name or an object; keys that an object does not have are
+    /// filled in from the defaults.
     void add_all(const std::string& list, const std::string& kind, const Json& defaults, Add add) {
         std::size_t index = 0;
         for (const Json& item : settings_.at(list)) {
@@ -161,7 +164,7 @@ private:
             filter["method"] = *variant.method;
         }
         filter["seed"] = seed;
-        (void)filter_settings_from_json(filter);  // before single values are taken of it
+        (void)filter_settings_from_json(filter);  // checks all values, before callers take single ones from the JSON
         return filter;
     }
 

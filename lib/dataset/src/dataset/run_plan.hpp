@@ -13,13 +13,14 @@
 
 namespace ddtool::dataset {
 
-/// A drive of the simulator that a filter processes.
+/// A drive in the simulator that a filter processes.
 struct WorldRun {
     std::string world;
     sim::SimulationSettings simulation;
     std::uint64_t most_particle_updates = 0;
     FilterSettings filter;
-    /// Of world and simulation alone, so that filters of other settings see the same piece of the drive.
+    /// Depends only on the world and the simulation, so that filters with other settings get the same piece of the
+    /// drive.
     std::uint64_t drive_key = 0;
 };
 
@@ -30,7 +31,7 @@ struct LogRun {
     FilterSettings filter;
 };
 
-/// Snapshots that were recorded before.
+/// Snapshots that were recorded earlier.
 struct RecordedRun {
     std::string path;
 };
@@ -40,7 +41,7 @@ struct PlannedRun {
     RunEntry entry;  ///< the counts are not filled in yet
     std::variant<WorldRun, LogRun, RecordedRun> source;
     ThinningSettings thinning;
-    jobs::Key key;  ///< of everything that decides the samples, but for the input's name
+    jobs::Key key;  ///< of everything that decides the samples, except the name of the input
 };
 
 struct RunPlan {
@@ -48,12 +49,12 @@ struct RunPlan {
     std::vector<PlannedRun> runs;
 };
 
-/// The runs that the lists `worlds`, `logs` and `snapshots` ask for, in that order; equal ones once. What a run draws
-/// from the mix depends on the data set's seed, the source's name and the run's own seed, not on the other sources.
-/// Throws UsageError naming the item and the key.
+/// The runs that the lists `worlds`, `logs` and `snapshots` ask for, in this order and without repetitions. The values
+/// that a run draws from the mix depend on the data set's seed, the name of the source and the run's own seed, but not
+/// on the other sources. Throws UsageError naming the item and the key.
 RunPlan plan_runs(const Json& settings);
 
-/// "s2-textured / seed 3 / 60 particles".
+/// The run in words, such as "s2-textured / seed 3 / 60 particles".
 std::string title_of(const RunPlan& plan, const PlannedRun& run);
 
 }  // namespace ddtool::dataset

@@ -11,7 +11,7 @@
 
 namespace ddtool::dataset {
 
-/// What a label is made from; docs/dataset.md.
+/// The rules by which labels are made (docs/dataset.md).
 enum class LabelRule : std::size_t { dispersion, fisher };
 inline constexpr std::array<const char*, 2> label_rule_names{"dispersion", "fisher"};
 
@@ -22,13 +22,13 @@ inline constexpr std::array<const char*, 2> split_names{"paper", "held_out"};
 enum class Part : std::int16_t { unused, train, validation, test };
 inline constexpr std::array<const char*, 4> part_names{"unused", "train", "validation", "test"};
 
-/// A label's class; unknown where a source cannot tell.
+/// The class of a label. It is unknown if the source does not allow to determine it.
 enum class Label : std::int16_t { unknown = -1, not_degenerate = 0, degenerate = 1 };
 inline constexpr std::array<const char*, 2> class_names{"not_degenerate", "degenerate"};
 
 inline constexpr std::array<LabelRule, 2> all_label_rules{LabelRule::dispersion, LabelRule::fisher};
 inline constexpr std::array<Split, 2> all_splits{Split::paper, Split::held_out};
-/// All but unused.
+/// All parts except `unused`.
 inline constexpr std::array<Part, 3> used_parts{Part::train, Part::validation, Part::test};
 
 template <typename Enum>
@@ -40,21 +40,22 @@ inline std::string name_of(LabelRule rule) { return label_rule_names[index_of(ru
 inline std::string name_of(Split split) { return split_names[index_of(split)]; }
 inline std::string name_of(Part part) { return part_names[index_of(part)]; }
 
-/// One row of shard-*.samples.npy, as it lies in the file. Values that the source does not know are NaN.
+/// One row of shard-*.samples.npy, with the layout of the file. Values that are not known for a source are NaN.
 struct SampleRecord {
     std::int64_t stamp_ns = 0;
-    std::uint64_t update = 0;          ///< filter updates before this one
+    std::uint64_t update = 0;          ///< number of filter updates before this one
     std::uint64_t first_particle = 0;  ///< row in the particles of the same shard
     Pose2 odometry_motion;             ///< since the last update, in the robot's previous frame
     Pose2 true_pose;                   ///< world_from_robot
-    /// About (x, y, theta) in the robot's frame: xx, xy, xt, yy, yt, tt in 1/m^2, 1/m and 1; of the scan alone.
+    /// The information about (x, y, theta) that the scan contains, in the robot's frame: xx, xy, xt, yy, yt, tt, in
+    /// 1/m^2, 1/m and 1.
     std::array<double, 6> information{};
-    double range_sd_m = 0.0;          ///< of a range of the scan's median length
+    double range_sd_m = 0.0;          ///< standard deviation of a range of the scan's median length
     double weak_sd_m = 0.0;           ///< Cramer-Rao bound along the weakest direction
     double weak_direction_rad = 0.0;  ///< in the robot's frame
     double strong_sd_m = 0.0;         ///< along the strongest direction
     double odometry_sd_m = 0.0;       ///< of the odometry over the step, along the weakest direction
-    /// R over accumulated log-likelihood, its increment, match score, normalised weight.
+    /// R over the accumulated log-likelihood, its increment, the match score, and the normalised weight.
     std::array<double, 4> dispersion{};
     std::uint32_t source = 0;  ///< position in the manifest's sources
     std::uint32_t run = 0;     ///< position in the manifest's runs
@@ -68,7 +69,7 @@ struct SampleRecord {
 static_assert(sizeof(SampleRecord) == 216 && sizeof(SnapshotParticle) == 13 * sizeof(double),
               "the layouts are those of the files");
 
-/// dtypes of the two files of a shard.
+/// The dtypes of the two files of a shard.
 const NpyFormat& samples_format();
 const NpyFormat& particles_format();
 

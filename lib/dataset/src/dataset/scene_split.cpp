@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::array<double, 3> shares{0.6, 0.2, 0.2};
 
-/// Where the scenes are, and what that costs.
+/// An assignment of the scenes to the parts, with its cost.
 class Assignment {
 public:
     explicit Assignment(const std::vector<SceneCounts>& scenes) : scenes_(scenes), place_(scenes.size(), nowhere) {
@@ -30,7 +30,8 @@ public:
         place_[scene] = part;
     }
 
-    /// Squared deviations from 6:2:2, each rule and class counting alike.
+    /// The sum of the squared deviations from the shares 6:2:2. Each class of each rule counts alike, however many
+    /// samples it has.
     [[nodiscard]] double cost() const {
         double sum = 0.0;
         for (std::size_t part = 0; part < used_parts.size(); ++part) {
@@ -43,7 +44,7 @@ public:
         return sum;
     }
 
-    /// The cost if the scene were there.
+    /// The cost that would result from moving the scene to this part.
     double cost_with(std::size_t scene, std::size_t part) {
         const std::size_t before = place_[scene];
         move(scene, part);
@@ -87,7 +88,7 @@ std::vector<std::size_t> largest_first(const std::vector<SceneCounts>& scenes) {
     return order;
 }
 
-constexpr double least_gain = 1e-12;  // rounding must not keep the search going
+constexpr double least_gain = 1e-12;  // ensures that rounding errors cannot keep the search going for ever
 
 bool improve_by_moves(Assignment& assignment, std::size_t scenes) {
     const double before = assignment.cost();

@@ -10,16 +10,16 @@
 
 namespace ddtool::dataset {
 
-/// Samples of a scene by label rule and class.
+/// The number of samples of a scene, by label rule and class.
 using SceneCounts = std::array<std::size_t, 4>;
 
-/// A part for every scene, such that train, validation and test come as close as possible to 6:2:2 of the samples of
-/// every rule and class at once: by the sum of squared deviations, largest scenes first, then by moving and swapping
-/// scenes while that helps. The same input gives the same answer.
+/// Assigns a part to every scene, such that train, validation and test have as nearly as possible 6:2:2 of the samples
+/// of every rule and class. Minimises the sum of the squared deviations: it places the largest scenes first, and then
+/// moves and swaps scenes while that reduces the sum. The same input gives the same result.
 std::vector<Part> parts_of_scenes(const std::vector<SceneCounts>& scenes);
 
-/// Sets part[rule][held_out] of the chosen records, those in a part of `paper`: each goes where its run's scene goes,
-/// for both rules alike. No scene, and so no run, is in two parts.
+/// Sets part[rule][held_out] of the chosen records, that is of those in a part of `paper`. All records of a scene, and
+/// so of a run, get the same part, for both rules alike.
 void hold_out_scenes(std::span<SampleRecord> records, const std::vector<RunEntry>& runs);
 
 }  // namespace ddtool::dataset

@@ -13,7 +13,7 @@ enum SelectionPurpose : std::uint64_t { choice_draw = 1, split_draw = 2 };
 
 using Indices = std::vector<std::size_t>;
 
-/// In an order drawn by chance; equal draws, however unlikely, in the order given.
+/// The indices in a random order. Equal draws, however unlikely, keep the given order.
 Indices shuffled(Indices indices, std::span<const SampleRecord> records, const SampleChance& chance,
                  std::uint64_t purpose) {
     std::stable_sort(indices.begin(), indices.end(), [&](std::size_t a, std::size_t b) {

@@ -10,8 +10,8 @@
 
 namespace ddtool::dataset {
 
-/// How many samples to take from each run if `wanted` samples are taken as evenly as possible: all of a run that has
-/// too few, and numbers that differ by at most one from the other runs.
+/// The number of samples to take from each run, if `wanted` samples are taken as evenly as possible: all samples of a
+/// run that has too few, and from the other runs numbers that differ by at most one.
 std::vector<std::size_t> even_quotas(const std::vector<std::size_t>& available, std::size_t wanted);
 
 /// A random number for every sample, which depends on the seed, the run's key (a fingerprint of its id) and the update,

@@ -34,7 +34,8 @@ ShardFile write_rows(const std::filesystem::path& folder, const std::string& fil
     return {file, rows, written.bytes().size(), checksum(written.bytes())};
 }
 
-/// A manifest comes with the data, which may come from anyone: it names files of its own folder only.
+/// Checks that a manifest names only files in its own folder. A manifest comes with the data, and the data may come
+/// from anyone.
 void expect_beside(const std::filesystem::path& folder, const std::string& name) {
     if (name.empty() || name == ".." || std::filesystem::path(name).filename() != name) {
         throw Error(folder.string() + ": its list of shards names '" + name + "'; expected a file of this folder");

@@ -11,7 +11,7 @@
 
 namespace ddtool::dataset {
 
-/// A file of a data set, as the manifest names it.
+/// A file of a data set, as the manifest describes it.
 struct ShardFile {
     std::string file;  ///< in the folder of the manifest
     std::uint64_t rows = 0;
@@ -19,7 +19,7 @@ struct ShardFile {
     std::string crc32;  ///< of the whole file, 8 hexadecimal digits
 };
 
-/// Samples and their particles.
+/// The file of the samples and the file of their particles.
 struct ShardEntry {
     ShardFile samples;
     ShardFile particles;
@@ -31,14 +31,14 @@ void from_json(const Json& json, ShardEntry& entry);
 /// How thoroughly a reader checks the files. Checking sizes costs nothing; checking checksums reads every byte once.
 enum class Check { sizes, checksums };
 
-/// The swarm of the sample at that position.
+/// Returns the swarm of the sample at that position.
 using ParticlesOf = std::function<std::span<const SnapshotParticle>(std::size_t index)>;
 
 /// Writes STEM.samples.npy and STEM.particles.npy; sets first_particle of each record. Throws Error.
 ShardEntry write_shard(const std::filesystem::path& folder, const std::string& stem, std::vector<SampleRecord> records,
                        const ParticlesOf& particles_of);
 
-/// A shard in memory, as the system pages it in: no copy.
+/// A shard that is mapped into memory: the system reads the pages that are used, and nothing is copied.
 class MappedShard {
 public:
     /// Throws Error naming the file that is missing or damaged.

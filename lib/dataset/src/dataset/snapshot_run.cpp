@@ -18,7 +18,7 @@ namespace ddtool::dataset {
 namespace {
 
 using OnProgress = std::function<void(double)>;
-/// What a scan tells of the robot's pose, and how well it measures.
+/// The Fisher information about the robot's pose that a scan contains, and the noise of its ranges.
 struct ScanKnowledge {
     Eigen::Matrix3d information;
     double range_sd_m = 0.0;
@@ -44,7 +44,7 @@ Sample sample_of(const ParticleSnapshot& snapshot) {
     return sample;
 }
 
-/// 0 for a scan without returns, which tells nothing anyway.
+/// The median of the finite ranges, or 0 for a scan without returns. Such a scan contains no information anyway.
 double median_range_m(const LaserScan& scan) {
     std::vector<double> ranges_m;
     std::copy_if(scan.ranges_m.begin(), scan.ranges_m.end(), std::back_inserter(ranges_m),
@@ -52,14 +52,15 @@ double median_range_m(const LaserScan& scan) {
     return ranges_m.empty() ? 0.0 : median(ranges_m);
 }
 
-/// A swarm that has not moved yet, as at the start of a map, tells nothing of what a scan leaves open.
+/// Offers the swarm to the thinning if the robot has moved since the update before. At the start of a map it has not,
+/// and such a swarm does not show what a scan leaves open.
 void offer_moved(SnapshotThinning& thinning, const ParticleSnapshot& swarm, const std::function<Sample()>& make) {
     if (swarm.odometry_motion != Pose2{}) {
         thinning.offer(make);
     }
 }
 
-/// A filter whose snapshots become samples.
+/// Runs a filter and turns its snapshots into samples.
 class Recorder {
 public:
     Recorder(const PlannedRun& run, const FilterSettings& filter)
@@ -89,7 +90,7 @@ public:
 
 private:
     SnapshotThinning thinning_;
-    ThreadPool threads_{1};  // many runs at once instead
+    ThreadPool threads_{1};  // one thread, because many runs are made at once
     std::unique_ptr<Rbpf> filter_;
     std::uint64_t scans_ = 0;
     std::uint64_t updates_ = 0;

@@ -16,8 +16,8 @@ struct Sample {
     std::vector<SnapshotParticle> particles;
 };
 
-/// Keeps some of the snapshots of a run, chosen by chance: one of `every` in a row, and of these at most
-/// `most_per_run`, any of them with the same probability. Holds no more than that many, however long the run is.
+/// Keeps a random choice of the snapshots of a run: one of `every` consecutive ones, and of these at most
+/// `most_per_run`, each with the same probability. It never holds more than that many, however long the run is.
 class SnapshotThinning {
 public:
     /// The same key makes the same choice.

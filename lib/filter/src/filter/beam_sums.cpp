@@ -5,7 +5,8 @@
 namespace ddtool {
 namespace {
 
-/// Squared distance across the surface plus its weighted part along it.
+/// For eight beams: the surface normals in the world frame, the distances across and along the surface, and q =
+/// across^2 + along_weight * along^2. Lengths are in cells.
 struct Distance {
     Lanes nx, ny, across, along, q;
 };
@@ -28,7 +29,7 @@ inline __attribute__((always_inline)) void measure(const BeamArrays& b, std::siz
     d.q = d.across * d.across + along_weight * d.along * d.along;
 }
 
-/// (1 - q / reach^2), not below zero; zero for beams that end near nothing.
+/// max(0, 1 - q / reach^2); 0 for beams that end far from any occupied point.
 inline __attribute__((always_inline)) void closeness(const BeamArrays& b, std::size_t i, const Lanes& q,
                                                      float inverse_reach2, Lanes& result) {
     Lanes found;
@@ -55,7 +56,7 @@ DDTOOL_VECTORISED void add_normal_equations(const BeamArrays& b, std::size_t bea
         load(y, b.y + i);
         load(along_weight, b.along_weight + i);
         const Lanes weight = near_by * near_by;
-        const Lanes lever_x = -(s * x + c * y);  // d(end point)/d(theta)
+        const Lanes lever_x = -(s * x + c * y);  // the derivative of the end point with respect to theta
         const Lanes lever_y = c * x - s * y;
         const Lanes across_t = d.nx * lever_x + d.ny * lever_y;
         const Lanes along_t = d.nx * lever_y - d.ny * lever_x;

@@ -7,6 +7,8 @@
 namespace ddtool {
 namespace {
 
+/// Hill climbing on the matcher's score. One step moves to the best of ten poses around the present one (eight shifts,
+/// two turns), unless the present one is better.
 class Climb {
 public:
     Climb(const MatchContext& context, const Pose2& start)

@@ -7,14 +7,15 @@
 namespace ddtool {
 namespace {
 
-/// The axes of the lattice in the world; `weak` is not searched where the scan is degenerate.
+/// The axes of the lattice as unit vectors in the world frame. `weak` is the direction that the scan constrains less;
+/// weak_steps is 0 where the scan is degenerate, so that this direction is not searched.
 struct LatticeAxes {
     Eigen::Vector2d strong;
     Eigen::Vector2d weak;
     int weak_steps = 0;
 };
 
-/// The best of the poses about `centre`, step_m and step_rad apart.
+/// Returns the pose with the highest score on a lattice around `centre`, whose poses are step_m and step_rad apart.
 Pose2 best_on_lattice(const MatchContext& context, const LatticeAxes& axes, const Pose2& centre, int steps,
                       double step_m, double step_rad) {
     Pose2 best = centre;

@@ -8,7 +8,7 @@
 namespace ddtool {
 namespace {
 
-/// Weights without those below `least`, normalised again. The largest stays, whatever its weight.
+/// Sets the weights below `least` to zero and normalises the rest. The largest weight is always kept.
 std::vector<double> kept_weights(std::vector<double> weights, double least) {
     const double bound = std::min(least, *std::max_element(weights.begin(), weights.end()));
     double sum = 0.0;
@@ -20,7 +20,7 @@ std::vector<double> kept_weights(std::vector<double> weights, double least) {
     return weights;
 }
 
-/// Position of the nearest other particle that was kept; the particle's own where there is none.
+/// The pose of the nearest other particle whose weight was kept; the particle's own pose if there is none.
 Pose2 nearest_other(std::span<const SnapshotParticle> particles, const std::vector<double>& kept, std::size_t self) {
     Pose2 nearest = particles[self].pose;
     double least_m = std::numeric_limits<double>::infinity();

@@ -11,7 +11,8 @@ Point2 towards(Point2 origin, Point2 end, double share) {
     return {origin.x_m + share * (end.x_m - origin.x_m), origin.y_m + share * (end.y_m - origin.y_m)};
 }
 
-/// Share of the way to the chord a-b at which it is margin_cells nearer to the origin.
+/// The factor by which the triangle between the origin and the chord a-b is shrunk towards the origin, so that the
+/// chord comes margin_cells nearer to it; 0 if the triangle is not that high.
 double shrink(Point2 origin, Point2 a, Point2 b, double margin_cells) {
     const double ax = a.x_m - origin.x_m;
     const double ay = a.y_m - origin.y_m;
@@ -32,7 +33,8 @@ const std::vector<CellSpan>& FreeSpace::find(const ScanPoints& points, const std
         const bool has_next = i + 1 < ends_cells.size() && points.order[i + 1] - points.order[i] == 1;
         const double share = has_next ? shrink(origin_cells, ends_cells[i], ends_cells[i + 1], margin_cells_) : 0.0;
         const Point2 near_point = towards(origin_cells, ends_cells[i], share);
-        // Two neighbouring triangles share this beam's line; only the piece that one of them has alone is outline.
+        // Two neighbouring triangles each have an edge along this beam. Only the part of it that belongs to one
+        // triangle alone is part of the outline.
         add_edge(towards(origin_cells, ends_cells[i], share_before), near_point);
         if (share > 0.0) {
             add_edge(near_point, towards(origin_cells, ends_cells[i + 1], share));
@@ -43,7 +45,7 @@ const std::vector<CellSpan>& FreeSpace::find(const ScanPoints& points, const std
     return spans_;
 }
 
-/// Records where an edge of the outline crosses the centre lines of rows.
+/// Records where an edge of the outline crosses the centre lines of the rows of cells.
 void FreeSpace::add_edge(Point2 from, Point2 to) {
     if (from.y_m > to.y_m) {
         std::swap(from, to);
@@ -57,7 +59,8 @@ void FreeSpace::add_edge(Point2 from, Point2 to) {
     }
 }
 
-/// Sorts crossings by row (counting sort) and by x within the row; between an odd and an even one lies the inside.
+/// Sorts the crossings by row (counting sort) and by x within each row. The inside of the outline lies between the
+/// first and the second crossing of a row, between the third and the fourth, and so on (even-odd rule).
 void FreeSpace::collect_spans() {
     if (crossings_.empty()) {
         return;

@@ -15,17 +15,22 @@ Pose2 moved_by(const Pose2& pose, const Eigen::Vector3d& by) {
     return {pose.x_m + by.x(), pose.y_m + by.y(), wrap_angle(pose.theta_rad + by.z())};
 }
 
-/// Where the scan alone would be, to first order: at the match the pull of the scan and that of the sampled motion
-/// cancel, I_m (m - found) = I_s (found - sampled).
+/// The offset from the odometry's pose to the pose m that the scan alone would give, to first order. At the matcher's
+/// result `found`, the scan with the information I_m and the prior about the sampled pose with the information I_s
+/// balance:
+///     I_m (m - found) = I_s (found - sampled).
 Eigen::Vector3d match_offset(const MatchContext& context, const ScanMatch& found) {
     const Eigen::Matrix3d pull = information_of(context.prior, context.predicted.theta_rad);
     const Eigen::Vector3d from_sample = offset(context.predicted, found.pose);
-    constexpr double regularisation = 1e-3;  // keeps directions that the scan does not see where they are
+    constexpr double regularisation = 1e-3;  // keeps the system regular where the scan does not constrain the pose
     const Eigen::Matrix3d system = found.information + regularisation * pull;
     return offset(context.odometry, found.pose) + system.ldlt().solve(pull * from_sample);
 }
 
-/// The odometry's information, less where it and the match contradict each other: a slip, a bump, a wrong calibration.
+/// The odometry's information, reduced where odometry and match contradict each other, for example after a slip or a
+/// bump, or if the odometry is badly calibrated. The measure is the squared Mahalanobis distance
+///     d' (M^-1 + O^-1)^-1 d,
+/// where d is the difference of the two poses, and M and O are the information of the match and of the odometry.
 Eigen::Matrix3d cautious(const Eigen::Matrix3d& odometry, const Eigen::Matrix3d& match, const Eigen::Vector3d& apart,
                          double most_deviations) {
     const double contradiction = apart.dot(match * (match + odometry).ldlt().solve(odometry * apart));

@@ -11,7 +11,8 @@ namespace {
 
 double length_m(const Pose2& motion) { return std::hypot(motion.x_m, motion.y_m); }
 
-/// Standard deviations of the pose's x and heading by a scan alone, what it does not hold being free by a metre.
+/// Standard deviations of the pose in the robot's x direction and of its heading, as far as the scan alone determines
+/// them. A unit of information is added in every direction, so that a deviation is at most 1 m or 1 rad.
 struct ObservedSds {
     double along_m = 0.0;
     double heading_rad = 0.0;
@@ -22,19 +23,23 @@ ObservedSds sds_of(const Eigen::Matrix3d& information) {
     return {std::sqrt(covariance(0, 0)), std::sqrt(covariance(2, 2))};
 }
 
-/// Errors that stay the same for a run add up in proportion to the way, not to its root; over ways of this length their
-/// sum is taken as it is.
+/// The filter adds up the variances of its steps as if their errors were independent. An error that stays the same
+/// during a run, such as that of the scale or the gyro's bias, grows faster: its deviation grows in proportion to the
+/// distance or the time, not to the square root. Its variance per step is therefore chosen so that the sum is right
+/// over this distance or time.
 constexpr double constant_error_horizon_m = 10.0;
 constexpr double constant_error_horizon_s = 10.0;
 
-/// A residual farther out than this is a slip or a wrong match; it counts as if it were here.
+/// A residual of more standard deviations than this comes from a slip or a wrong match. Its variance is then increased
+/// until the residual is exactly this many deviations, and the noise is learnt as from a residual of that size.
 constexpr double most_deviations = 3.0;
 
-/// Chords that turn more say nothing of the scale.
+/// Chords that turn more than this are not used to learn the scale.
 constexpr double straight_rad = 0.3;
 
 }  // namespace
 
+/// The correction of a Kalman filter with one state, which is measured as value = gain * state + noise.
 void LearntOdometry::Estimate::correct(double value, double gain, double noise_variance) {
     const double residual = value - gain * mean;
     double innovation = gain * gain * variance + noise_variance;

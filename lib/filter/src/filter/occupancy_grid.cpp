@@ -12,7 +12,7 @@ namespace {
 
 constexpr int units = NearestPoint::units_per_cell;
 
-/// `offset` of a point from the centre of `from`, seen from the centre of `to`.
+/// Converts the offset of a point from the centre of `from` to its offset from the centre of `to`.
 NearestPoint moved(NearestPoint offset, Cell from, Cell to) {
     return {static_cast<std::int8_t>(offset.x + units * (from.x - to.x)),
             static_cast<std::int8_t>(offset.y + units * (from.y - to.y))};
@@ -20,7 +20,8 @@ NearestPoint moved(NearestPoint offset, Cell from, Cell to) {
 
 int squared_length(NearestPoint point) { return point.x * point.x + point.y * point.y; }
 
-/// Whether the point seen from `cell` lies in `target`. Offsets within a cell are -16..15, so this is exact.
+/// Whether the point that is seen from `cell` lies in `target`. This is exact: offsets within a cell are whole numbers
+/// in -16..15, and the shift by 5 bits divides by units_per_cell and rounds down.
 bool lies_in(NearestPoint point, Cell cell, Cell target) {
     return cell.x + ((point.x + units / 2) >> 5) == target.x && cell.y + ((point.y + units / 2) >> 5) == target.y;
 }
@@ -41,17 +42,19 @@ bool all_equal(const std::int8_t* cells, int length, int value) {
     return differences == 0;
 }
 
-/// The first coordinate of the next patch.
+/// The coordinate of the first cell in the next patch.
 int next_patch(int cell) { return (cell | Patch::local_mask) + 1; }
 
-/// Lets the cells of a piece of one patch point at an occupied cell's mean where that is nearest.
+/// Updates the field in a piece of one patch: a cell gets the mean point of the occupied cell as its nearest point if
+/// that is nearer than the present one, or if the present one is an older mean of the same cell.
 void spread_in(Patch& patch, const CellBox& piece, Cell occupied_cell, NearestPoint offset) {
     for (int y = piece.y_min; y < piece.y_max; ++y) {
         std::size_t local = Patch::local(piece.x_min, y);
         for (int x = piece.x_min; x < piece.x_max; ++x, ++local) {
             const NearestPoint present = patch.nearest[local];
             const NearestPoint candidate = moved(offset, occupied_cell, {x, y});
-            // An occupied cell always points at its own mean: add_hit reads it there.
+            // The nearest point of an occupied cell is always its own mean, because add_hit() reads the mean from
+            // there.
             const bool nearer = patch.log_odds[local] <= 0 && squared_length(candidate) < squared_length(present);
             if (nearer || present.none() || lies_in(present, {x, y}, occupied_cell)) {
                 patch.nearest[local] = candidate;
@@ -75,7 +78,7 @@ OccupancyGrid::OccupancyGrid(const OccupancySettings& settings) : settings_(sett
 
 namespace {
 
-/// Columns or rows of patches.
+/// A range of columns or rows of patches: first..end-1.
 struct PatchSpan {
     int first = 0;
     int end = 0;
@@ -97,7 +100,8 @@ void expect_possible(std::int64_t columns, std::int64_t rows, double cell_size_m
     }
 }
 
-/// Where `more` bytes are about to be taken.
+/// Throws MapTooLarge if the maps of the process would need more than most_mib with `more` additional bytes. 0 means no
+/// limit.
 void expect_memory(std::int64_t more, std::uint64_t most_mib) {
     constexpr int mib_bits = 20;
     if (most_mib > 0 && MapBytes::live.load(std::memory_order_relaxed) + static_cast<std::size_t>(more) >
@@ -112,6 +116,7 @@ void expect_memory(std::int64_t more, std::uint64_t most_mib) {
 void OccupancyGrid::reserve(const CellBox& box) {
     const PatchSpan columns = patches_about(box.x_min, box.x_max);
     const PatchSpan rows = patches_about(box.y_min, box.y_max);
+    // The worst case: all patches in the box are new or shared, and have to be allocated.
     const std::int64_t written = columns.size() * rows.size() * static_cast<std::int64_t>(sizeof(Patch));
     if (columns_ > 0 && columns.first >= first_column_ && rows.first >= first_row_ &&
         columns.end <= first_column_ + columns_ && rows.end <= first_row_ + rows_) {
@@ -143,7 +148,8 @@ PatchPointer& OccupancyGrid::pointer_at(Cell cell) {
     return patches_[patch_index(column, row)];
 }
 
-/// Ground seen often is certain, and a hit there changes nothing: then the patch stays shared.
+/// If the log odds have reached their upper limit, a hit does not change them. They are then not written, so that the
+/// patch can stay shared with other particles.
 void OccupancyGrid::add_hit(Cell cell, NearestPoint offset) {
     PatchPointer& patch = pointer_at(cell);
     const std::size_t local = Patch::local(cell.x, cell.y);
@@ -157,7 +163,7 @@ void OccupancyGrid::add_hit(Cell cell, NearestPoint offset) {
         return;
     }
     if (before > 0) {
-        // The evidence collected so far stands in for the number of hits.
+        // The number of earlier hits is not stored; the log odds collected so far stand in for it.
         const NearestPoint mean = patch->nearest[local];
         offset = running_mean(mean, offset,
                               static_cast<float>(settings_.hit_step) / static_cast<float>(before + settings_.hit_step));
@@ -168,7 +174,7 @@ void OccupancyGrid::add_hit(Cell cell, NearestPoint offset) {
     spread(cell, offset);
 }
 
-/// Patch by patch: this runs for every end point whose cell's mean moved.
+/// Works patch by patch for speed, because it runs for every end point that moves the mean of its cell.
 void OccupancyGrid::spread(Cell occupied_cell, NearestPoint offset) {
     const int x_end = occupied_cell.x + field_radius + 1;
     const int y_end = occupied_cell.y + field_radius + 1;
@@ -195,7 +201,7 @@ void OccupancyGrid::add_free(int y, int x_begin, int x_end) {
     }
 }
 
-/// Lowers a run of cells by one observation; whether one of them was occupied.
+/// Lowers the log odds of a run of cells by one observation as free. Returns whether one of the cells was occupied.
 bool OccupancyGrid::lower(std::int8_t* cells, int length) const {
     const auto step = static_cast<std::int8_t>(settings_.free_step);
     const auto floor = static_cast<std::int8_t>(settings_.min_log_odds);
@@ -209,7 +215,7 @@ bool OccupancyGrid::lower(std::int8_t* cells, int length) const {
     return was_occupied != 0;
 }
 
-/// Takes the points of those cells of a row out of the field that are occupied no longer.
+/// Removes the points of those cells of a row from the field that are no longer occupied.
 void OccupancyGrid::forget_freed(int y, int x_begin, int x_end) {
     for (int x = x_begin; x < x_end; ++x) {
         if (!occupied({x, y}) && lies_in(nearest({x, y}), {x, y}, {x, y})) {

@@ -8,7 +8,7 @@ namespace {
 
 ScanMatch by_odometry(const MatchContext& context) {
     ScanMatch match = context.matcher.evaluate(context.grid, context.points, context.odometry);
-    match.information.setZero();  // the scan had no say
+    match.information.setZero();  // the scan did not influence this pose
     return match;
 }
 

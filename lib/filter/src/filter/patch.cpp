@@ -2,6 +2,6 @@
 
 namespace ddtool {
 
-Patch* const PatchPointer::empty_ = new Patch;  // lives as long as the program
+Patch* const PatchPointer::empty_ = new Patch;  // never deleted: it is used as long as the program runs
 
 }  // namespace ddtool

@@ -5,7 +5,8 @@
 namespace ddtool {
 namespace {
 
-/// No particle's past is settled nearer than this to the present; odometry is learnt over some dozens.
+/// The past of the particles is settled only up to this many updates before the present. The learning of the odometry
+/// asks for poses of some dozens of updates back.
 constexpr std::uint64_t kept_updates = 1024;
 
 }  // namespace
@@ -35,8 +36,8 @@ Trajectory PathRecord::trajectory(Node node) const {
     return trajectory;
 }
 
-/// Between two updates the odometry is followed, and what the second update corrected is spread over the way. `poses`
-/// are those of the updates from first_update_.
+/// Between two updates the path follows the odometry, and the correction by the second update is spread over the way
+/// there: a scan gets the share scan.share of it. `poses` are those of the updates from first_update_ on.
 StampedPose PathRecord::pose_of(const ScanRecord& scan, const std::vector<Pose2>& poses) const {
     const std::size_t update = scan.update - first_update_;
     Pose2 correction;

@@ -8,7 +8,8 @@ namespace {
 
 Eigen::Matrix3d symmetric(const Eigen::Matrix3d& matrix) { return 0.5 * (matrix + matrix.transpose()); }
 
-/// Squares of half a millimetre and a fifth of a milliradian: no motion is known better, and the matrix stays regular.
+/// Variances that every motion has at least, (0.5 mm)^2 and (0.2 mrad)^2: no odometry is better, and the covariance
+/// stays invertible.
 const Eigen::Vector3d least_noise(2.5e-7, 2.5e-7, 4e-8);
 
 }  // namespace

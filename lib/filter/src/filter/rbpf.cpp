@@ -12,16 +12,17 @@
 namespace ddtool {
 namespace {
 
-/// Purposes of random streams, so that no two draws share one.
+/// Keys of random streams by purpose, so that no two draws share a stream.
 enum Purpose : std::uint64_t { motion_draw = 1, resampling_draw = 2 };
 
-/// How far the robot has moved, where 1 is due for an update.
+/// The motion of the robot as a share of the motion that triggers an update; from 1 on an update is due.
 double motion_share(const Pose2& motion, const RbpfSettings& settings) {
     return std::max(std::hypot(motion.x_m, motion.y_m) / settings.update_distance_m,
                     std::abs(motion.theta_rad) / settings.update_turn_rad);
 }
 
-/// A pause in a log is no time in which a gyro drifted.
+/// Limit on the duration of a step. A longer time between two stamps is a pause in the log, and the gyro's bias must
+/// not be applied to all of it.
 constexpr double longest_step_s = 2.0;
 
 double step_duration_s(std::int64_t from_ns, std::int64_t to_ns) {
@@ -29,6 +30,7 @@ double step_duration_s(std::int64_t from_ns, std::int64_t to_ns) {
 }
 
 PosePrior prior_of(const Pose2& motion, const MotionNoise& noise) {
+    // Added to the deviations, so that even after a very short step the prior leaves the match some freedom.
     constexpr double least_m = 0.005;
     constexpr double least_rad = 0.002;
     const MotionSigmas sigmas = motion_sigmas(motion, noise);
@@ -98,7 +100,7 @@ Rbpf::PreparedScan Rbpf::prepare(const SensorFrame& frame) const {
     return {std::move(points), std::move(match_points)};
 }
 
-/// There is no map yet that a scan could be matched to.
+/// The first scan is not matched, because there is no map yet.
 void Rbpf::start(const Pose2& world_from_robot) {
     particles_.assign(settings_.particles, Particle{.pose = world_from_robot,
                                                     .pose_before = world_from_robot,
@@ -120,7 +122,7 @@ void Rbpf::propagate(const Step& step) {
     });
 }
 
-/// Where the scan fits nowhere, the particle keeps its predicted pose.
+/// If no match is accepted, the particle keeps its predicted pose.
 void Rbpf::match(const PreparedScan& scan, const Step& step) {
     threads_.for_each(particles_.size(), [&](std::size_t index, std::size_t worker) {
         Particle& particle = particles_[index];
@@ -205,7 +207,8 @@ bool Rbpf::resample_if_poor(const ParticleSnapshot& swarm) {
     return true;
 }
 
-/// Scans enter the map only after some motion: more would weigh a place by how long the robot stood there.
+/// A scan enters the maps only if the robot has moved enough since the last one that did. Otherwise the evidence for a
+/// place would grow with the time that the robot stands there.
 void Rbpf::map(const PreparedScan& scan, const Pose2& odom_from_robot) {
     if (odom_at_mapping_) {
         const Pose2 since = between(*odom_at_mapping_, odom_from_robot);

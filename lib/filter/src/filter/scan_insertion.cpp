@@ -22,7 +22,7 @@ CellBox box_of(const std::vector<Point2>& ends_cells, Point2 origin_cells) {
     return box;
 }
 
-/// Offset of a point from the centre of its cell, in NearestPoint's units.
+/// The offset of a point from the centre of its cell, in NearestPoint's units.
 std::int8_t offset_in_cell(double cells) {
     constexpr int half = NearestPoint::units_per_cell / 2;
     const double fraction = cells - std::floor(cells);
@@ -30,7 +30,8 @@ std::int8_t offset_in_cell(double cells) {
         std::min(static_cast<int>(fraction * NearestPoint::units_per_cell) - half, half - 1));
 }
 
-/// Far enough out beams of their own length have no place.
+/// Throws MapTooLarge if the laser is more than most_cells from the origin along an axis, because cells have no numbers
+/// there.
 void expect_on_earth(const Point2& laser_m, double cell_size_m) {
     if (!(std::abs(laser_m.x_m) < most_cells * cell_size_m && std::abs(laser_m.y_m) < most_cells * cell_size_m)) {
         throw MapTooLarge("a scan taken at (" + std::to_string(laser_m.x_m) + " m, " + std::to_string(laser_m.y_m) +
@@ -66,7 +67,7 @@ void ScanInserter::project(const ScanPoints& points, const Pose2& pose, double c
     }
 }
 
-/// Neighbouring beams that end in one cell are one observation of it, at their mean.
+/// Neighbouring beams that end in the same cell count as one observation of it, at the mean of their end points.
 void ScanInserter::add_hits(OccupancyGrid& grid) const {
     for (std::size_t i = 0; i < ends_cells_.size();) {
         const Cell cell = cell_at(ends_cells_[i]);

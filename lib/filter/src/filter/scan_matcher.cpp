@@ -12,7 +12,7 @@
 namespace ddtool {
 namespace {
 
-/// A step of Gauss-Newton smaller than this is the last: the cells are fifty times as large.
+/// Gauss-Newton has converged when a step is smaller than this, which is a fiftieth of a cell of the default size.
 constexpr double settled_m = 1e-3;
 constexpr double settled_rad = 5e-4;
 
@@ -22,10 +22,11 @@ struct Rotation {
         : c(static_cast<float>(std::cos(theta_rad))), s(static_cast<float>(std::sin(theta_rad))) {}
 };
 
-/// A cell's number; what lies where cells have none sees as much at the last that has one.
+/// The number of a cell. Cells beyond most_cells have no numbers. No map reaches that far, so the outermost number
+/// serves for them.
 int number_of(double whole_cells) { return static_cast<int>(std::clamp(whole_cells, -most_cells, most_cells)); }
 
-/// A pose in cells, with the whole part apart so that floats keep their precision far from the origin.
+/// A pose in cells. The whole part is kept separately, so that floats stay precise far from the origin.
 struct CellPose {
     int x0, y0;
     float x, y;
@@ -39,13 +40,14 @@ private:
           y(static_cast<float>(y_cells - std::floor(y_cells))) {}
 };
 
-/// std::floor is a library call on processors without SSE4.1. Coordinates are cells from the robot.
+/// Rounds down without std::floor, which is a library call on processors without SSE4.1. Works for values above -16384;
+/// here they are cells from the robot, and the settings allow no longer range.
 int floor_of(float value) {
     constexpr int offset = 1 << 14;
     return static_cast<int>(value + static_cast<float>(offset)) - offset;
 }
 
-/// End points of one block of beams, relative to the corner of the cell (x0, y0).
+/// Computes the end points of one block of beams, in cells relative to the corner of the cell (x0, y0) of a CellPose.
 DDTOOL_VECTORISED void project_block(const float* x, const float* y, float c, float s, float tx, float ty, float* out_x,
                                      float* out_y) {
     Lanes px;
@@ -129,7 +131,7 @@ ScanMatcher::Normal ScanMatcher::normal_equations(const MatchPoints& points, con
     const Rotation rotation(pose.theta_rad);
     Sums sums{};
     add_normal_equations(arrays_of(points, residuals_), points.x.size(), rotation.c, rotation.s, inverse_reach2_, sums);
-    // From cells to metres, and from squared residuals to information.
+    // Converts from cells to metres, and from squared residuals to information.
     const double per_m2 = 1.0 / squared(settings_.beam_sigma_m);
     const double m = cell_size_m_;
     Normal normal;
@@ -150,7 +152,8 @@ double ScanMatcher::log_likelihood(const MatchPoints& points, double theta_rad) 
     LogLikelihood result;
     add_log_likelihoods(arrays_of(points, residuals_), points.x.size(), rotation.c, rotation.s,
                         static_cast<float>(inverse), static_cast<float>(miss), result);
-    // A scan wholly in unseen ground is no evidence for the pose: every beam a miss.
+    // If all beams end in ground that was never observed, the scan says nothing about the pose, and each beam counts as
+    // a miss.
     const double mean = result.known_beams > 0.0 ? result.sum / result.known_beams : -miss;
     return mean * static_cast<double>(points.beams);
 }
@@ -162,8 +165,9 @@ ScanMatch ScanMatcher::evaluate(const OccupancyGrid& grid, const MatchPoints& po
     return match;
 }
 
-/// The last step is too small to judge the scan anew: score, information and likelihood are those before it. Not taking
-/// it would leave every pose a little towards its prediction, which adds up over a run.
+/// The last step is so small that the scan is not evaluated again after it: score, information and likelihood are those
+/// of the pose before it. The step itself is taken. Without it every pose would stay slightly too near to its
+/// prediction, which adds up over a run.
 ScanMatch ScanMatcher::refine(const OccupancyGrid& grid, const MatchPoints& points, const Pose2& start,
                               const Pose2& predicted, const Eigen::Matrix3d& prior_information) {
     Pose2 pose = start;
@@ -194,6 +198,8 @@ Pose2 ScanMatcher::search(const OccupancyGrid& grid, const MatchPoints& points, 
             best = pose;
         }
     };
+    // Each round tries headings first and then positions. The second round is finer and starts from the best pose of
+    // the first.
     constexpr int turn_steps = 10;
     constexpr int distance_steps = 3;
     for (int round = 0; round < 2; ++round) {

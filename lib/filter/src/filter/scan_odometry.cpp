@@ -7,14 +7,15 @@
 namespace ddtool {
 namespace {
 
-/// Way after which a map gives over to its successor.
+/// Driven distance after which the map is replaced by its successor.
 constexpr double map_length_m = 5.0;
-/// How far a robot may be from where its speed leads, from one scan to the next.
+/// Standard deviations of the pose, from one scan to the next, about the prediction at constant speed.
 constexpr PosePrior surprise{.sigma_along_m = 0.1, .sigma_across_m = 0.1, .sigma_turn_rad = 0.1};
 
-/// The motion at the same speed in another time; the same motion where the stamps say nothing.
+/// The motion at the same speed in a time of step_ns. If one of the two times is not positive, the motion is returned
+/// unchanged.
 Pose2 at_same_speed(const Pose2& motion, std::int64_t its_ns, std::int64_t step_ns) {
-    constexpr double longest = 3.0;  // after a gap nobody knows the speed
+    constexpr double longest = 3.0;  // limit on the ratio of the times: after a gap in the log the speed is unknown
     if (its_ns <= 0 || step_ns <= 0) {
         return motion;
     }

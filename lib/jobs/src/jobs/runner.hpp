@@ -11,29 +11,30 @@
 
 namespace ddtool::jobs {
 
-/// Thrown when the user asked to stop (Ctrl-C, SIGTERM). Finished results are stored.
+/// Thrown when the user has asked to stop (Ctrl-C, SIGTERM). Results that are finished have been stored.
 class Stopped : public Error {
 public:
     Stopped() : Error("stopped; the same command goes on where it was") {}
 };
 
-/// Receives the share of the job that is done, in 0..1. Throws Stopped when the user asked to stop; do not catch it.
+/// Receives the share of the job that is done, in 0..1. Throws Stopped when the user has asked to stop; a job must not
+/// catch it.
 using OnProgress = std::function<void(double share)>;
 
-/// A result that is wanted.
+/// Describes a result that is wanted, how to find it, and how to make it.
 template <typename Value>
 struct Job {
-    std::string id;     ///< of its key: jobs of the same id have the same result, which is made once
+    std::string id;     ///< of the key; jobs with the same id have the same result, which is made only once
     std::string title;  ///< for messages
-    std::function<std::optional<Value>()> find;                ///< the stored result; nullopt: it has to be made
-    std::function<Value(const OnProgress& on_progress)> make;  ///< makes and stores it; throws what keeps it from that
+    std::function<std::optional<Value>()> find;                ///< the stored result; nullopt if there is none
+    std::function<Value(const OnProgress& on_progress)> make;  ///< makes and stores the result; may throw
     std::function<std::string(const Value&)> note;             ///< describes the result in a few words
 };
 
 template <typename Value>
 struct Result {
     std::optional<Value> value;
-    std::string failure;  ///< why there is no value; empty: there is
+    std::string failure;  ///< why there is no value; empty if there is one
 };
 
 template <typename Value>
@@ -48,23 +49,23 @@ struct Wording {
     std::string unit;
 };
 
-/// What run() does, for jobs that keep their results themselves.
+/// The same as Job and run(), without the type of the values: the functions keep the results themselves.
 struct AnyJob {
     std::string id;
     std::string title;
-    std::function<bool()> find;                          ///< whether the result is there
-    std::function<std::string(const OnProgress&)> make;  ///< gives the note
+    std::function<bool()> find;                          ///< whether the result is stored
+    std::function<std::string(const OnProgress&)> make;  ///< makes the result and returns the note
 };
 struct AnyOutcome {
-    std::vector<std::size_t> first_equals;  ///< for each job the first of the same id, which alone was run
+    std::vector<std::size_t> first_equals;  ///< for each job, the first one with its id, which alone was run
     std::vector<std::string> failures;      ///< one for each job
     std::size_t made = 0;
 };
 AnyOutcome run_any(const std::vector<AnyJob>& jobs, ThreadPool& threads, const Wording& wording);
 
-/// Gives every job a result: the stored one, or else a new one. Jobs run in parallel, each on one thread of the pool.
-/// One that fails does not stop the others, and as nothing is stored of it, it is tried again next time. Throws
-/// OutputError where results cannot be written, and Stopped when the user asked to stop.
+/// Returns a result for every job: the stored one or, if there is none, a new one. Jobs run in parallel, each on one
+/// thread of the pool. A job that fails does not stop the others; nothing is stored for it, so it is tried again next
+/// time. Throws OutputError if results cannot be written, and Stopped when the user has asked to stop.
 template <typename Value>
 Outcome<Value> run(const std::vector<Job<Value>>& jobs, ThreadPool& threads, const Wording& wording) {
     Outcome<Value> outcome;

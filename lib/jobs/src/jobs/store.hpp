@@ -10,7 +10,7 @@
 
 namespace ddtool::jobs {
 
-/// Everything that decides a result, and the id computed from it: equal configurations have equal ids, on every
+/// Everything that a result depends on, and an id computed from it. Equal configurations have equal ids on every
 /// machine.
 class Key {
 public:
@@ -32,18 +32,18 @@ struct StoreFormat {
     int indent = 2;                ///< of its JSON
 };
 
-/// Results in a folder, found by what decides them: an entry is a JSON file that is named by its key's id and holds
-/// the whole configuration beside the value. What else belongs to a result lies beside, under the same id, and is
-/// written before the entry. Files appear whole or not at all, so that a program that was killed leaves finished
-/// results only. Safe to use from many threads, each with keys of its own.
+/// Stores results in a folder under what they depend on. An entry is a JSON file, named by the id of its key, that
+/// contains the whole configuration and the value. Other files that belong to a result have the same id in their names
+/// and are written before the entry. A file appears only when it is complete, so a program that was killed leaves
+/// finished results only. May be used by many threads at the same time if they use different keys.
 class Store {
 public:
     /// The folder need not exist as long as results are only looked up.
     Store(std::filesystem::path folder, StoreFormat format) : folder_(std::move(folder)), format_(std::move(format)) {}
 
-    /// What `read` makes of the stored value. Nullopt where there is no entry, and, after a warning that names the
-    /// file, where it is damaged: it cannot be read, it is of another configuration, or `read` throws, which it should
-    /// also do where what lies beside the entry is damaged or missing.
+    /// Returns what `read` returns for the stored value. Returns nullopt if there is no entry. Also returns nullopt,
+    /// after a warning that names the file, if the entry is damaged: it cannot be read, it belongs to another
+    /// configuration, or `read` throws. `read` should throw if a file that belongs to the entry is damaged or missing.
     template <typename Read>
     [[nodiscard]] auto find(const Key& key, const Read& read) const
         -> std::optional<std::invoke_result_t<Read, const Json&>> {
@@ -57,11 +57,11 @@ public:
             return std::nullopt;
         }
     }
-    /// Writes the entry and replaces an older one. Throws OutputError if it cannot be written.
+    /// Writes the entry, replacing an older one. Throws OutputError if it cannot be written.
     void save(const Key& key, const Json& value) const;
 
     [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
-    /// FOLDER/ID + suffix, for what lies beside the entry.
+    /// The path FOLDER/ID + suffix of another file that belongs to the entry.
     [[nodiscard]] std::filesystem::path file(const Key& key, const std::string& suffix) const;
 
 private:

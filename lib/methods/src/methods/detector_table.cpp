@@ -15,7 +15,8 @@
 namespace ddtool {
 namespace {
 
-/// Asks a detector where matching is in doubt, and there every few decimetres.
+/// The gate "in-doubt": runs the detector only where matching is in doubt, and there only once in settings.every_m of
+/// driving.
 class AskedInDoubt {
 public:
     AskedInDoubt(DegeneracyDetector detector, const DetectionSettings& settings)

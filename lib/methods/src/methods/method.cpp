@@ -38,7 +38,7 @@ const Method& method_of(const std::string& name) {
     return *found;
 }
 
-/// A place's choices: a name and the part.
+/// The parts to choose from for one place of the filter, each with its name.
 template <typename Part>
 using Choices = std::vector<std::pair<std::string, Part>>;
 
@@ -100,7 +100,8 @@ FilterStrategies strategies_of(const FilterSettings& settings, const DetectorTab
     return strategies;
 }
 
-/// Three quarters of what the machine had free when the first filter was made: all maps of the process count together.
+/// Three quarters of the memory that was free when the process made its first filter. It is determined only once,
+/// because the limit applies to all maps of the process together.
 std::uint64_t usual_most_memory_mib() {
     constexpr std::uint64_t bytes_per_mib = 1U << 20U;
     static const std::uint64_t most_mib = available_memory_bytes() / 4 * 3 / bytes_per_mib;

@@ -8,11 +8,12 @@
 namespace ddtool {
 namespace {
 
+/// Slightly more than pi, so that pi itself is allowed.
 constexpr double half_turn_rad = 3.15;
 constexpr const char* grisetti = "Grisetti et al. 2007";
 
 const SettingTable<MotionNoise>& motion_rows() {
-    // Without any noise the information of the odometry is infinite.
+    // The noise must not be zero, because the information of the odometry would then be infinite.
     const Allowed noise = Allowed::number(1e-4, 10.0);
     const std::string source = "the defaults are GMapping's at its step of 1 m and 1 rad";
     static const SettingTable<MotionNoise> rows{
@@ -110,7 +111,7 @@ const SettingTable<RbpfSettings>& rbpf_rows() {
     return rows;
 }
 
-/// One of these, or nothing, for the one that the method has.
+/// The values of a setting that names a part: one of the names, or an empty text for the part that the method has.
 Allowed part_of(std::vector<std::string> names) {
     names.insert(names.begin(), "");
     return Allowed::one_of(std::move(names));
@@ -224,7 +225,8 @@ const SettingTable<EnhancedResamplingSettings>& enhanced_resampling_rows() {
     return rows;
 }
 
-/// The parts stand beside the settings of the filter; the settings of the parts are groups behind them.
+/// The names of the parts are on the same level of the JSON as the settings of the filter. The settings of the parts
+/// are groups that follow them.
 const SettingTable<FilterSettings>& filter_rows() {
     using Method = MethodSettings;
     static const SettingTable<Method> names{
@@ -248,7 +250,7 @@ const SettingTable<FilterSettings>& filter_rows() {
     return rows;
 }
 
-/// The matcher counts cells from the robot, of which it has so many in each direction.
+/// The scan matcher counts cells from the robot, and its floor_of() works for at most this many in each direction.
 void expect_in_reach(const RbpfSettings& settings) {
     constexpr double most_cells_away = 16384.0;
     if (settings.points.usable_range_m > most_cells_away * settings.grid.cell_size_m) {

@@ -26,7 +26,7 @@ AffineLayer direct(FoldedKernel kernel, const MapShape& in, const ConvolutionRow
             row.relu};
 }
 
-/// Below this many inputs, transforming costs what the products save.
+/// With fewer input channels than this, the Winograd transforms cost as much time as their fewer multiplications save.
 constexpr std::size_t least_winograd_inputs = 32;
 
 bool winograd_pays(const MapShape& in, const ConvolutionRow& row) {

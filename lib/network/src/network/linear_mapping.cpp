@@ -48,7 +48,8 @@ AxisMapping::AxisMapping(double min_m, double max_m, double canvas_m, std::size_
     : min_m_(min_m), margin_m_((canvas_m - (max_m - min_m)) / 2.0), canvas_m_(canvas_m), size_px_(size_px) {}
 
 std::optional<std::size_t> AxisMapping::pixel(double coordinate_m) const {
-    // From the lower extreme first: of two swarms that differ by a shift, the differences are the same numbers.
+    // The distance from the lower extreme is computed first: it is the same number for two swarms that differ by a
+    // shift only, so their images are equal.
     const double from_edge_m = (coordinate_m - min_m_) + margin_m_;
     if (!(from_edge_m >= 0.0 && from_edge_m <= canvas_m_)) {
         return std::nullopt;

@@ -30,7 +30,8 @@ public:
     }
 
 private:
-    /// Softmax of two is the sigmoid of their difference.
+    /// The softmax of two logits is the sigmoid of their difference. With the loss "bce" only the logit of the output
+    /// for degenerate counts.
     [[nodiscard]] double degree(const std::array<double, 2>& logits) const {
         const double other = description_.loss == "bce" ? 0.0 : logits[1 - degenerate_output];
         return 1.0 / (1.0 + std::exp((other - logits[degenerate_output]) / description_.temperature));

@@ -7,7 +7,7 @@
 namespace ddtool {
 namespace {
 
-/// Network, renderer, and the memory of one image.
+/// The network, the renderer of its input, and the memory of one image.
 struct Sight {
     explicit Sight(std::shared_ptr<DegreeModel> network)
         : model(std::move(network)),

@@ -10,7 +10,7 @@ using WideLanes = float __attribute__((vector_size(block_width * sizeof(float)))
 template <typename Vector>
 inline constexpr std::size_t vector_width = sizeof(Vector) / sizeof(float);
 
-/// Points worked on together, so that a weight loaded once serves them all.
+/// The points that are computed together, so that each weight is loaded once for all of them.
 template <typename Vector, std::size_t points>
 struct Tile {
     static constexpr std::size_t vectors = block_width / vector_width<Vector>;
@@ -19,7 +19,8 @@ struct Tile {
     Vector sums[points][vectors];
 };
 
-/// The last tile repeats the last point instead of being shorter.
+/// Sets up the tile that begins at point `first`. If fewer points are left, the last point is computed several times,
+/// which gives the same result and needs no code for shorter tiles.
 template <typename Vector, std::size_t points>
 inline __attribute__((always_inline)) void place(const Product& p, std::size_t first, Tile<Vector, points>& tile) {
     for (std::size_t i = 0; i < points; ++i) {
@@ -98,12 +99,13 @@ inline __attribute__((always_inline)) void multiply_in_tiles(const Product& prod
 
 }  // namespace
 
-/// With two vectors of outputs each, the sums of six points take 12 of the 16 vector registers; four points were 5 to
-/// 12 % slower.
+/// With two vectors of outputs each, the sums of six points take 12 of the 16 vector registers. Tiles of four points
+/// were 5 to 12 % slower.
 DDTOOL_VECTORISED void multiply_in_lanes(const Product& product) { multiply_in_tiles<Lanes, 6>(product); }
 
-/// AVX-512 has registers for a whole block. The compiler splits such a vector badly where there are none, so only tests
-/// call it there. The 49, 196 and 784 places of images of 224 px are whole tiles of seven points.
+/// With AVX-512, one register holds a whole block. Without it, the compiler splits such a vector into slow code, so on
+/// other processors only tests call this function. The 49, 196 and 784 places of the maps of images of 224 px are
+/// multiples of the tile's seven points.
 DDTOOL_VECTORISED_WIDE void multiply_in_wide_lanes(const Product& product) { multiply_in_tiles<WideLanes, 7>(product); }
 
 void multiply(const Product& product) {

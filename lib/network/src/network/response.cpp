@@ -13,15 +13,16 @@ bool is_finite_particle(const SnapshotParticle& particle) {
            std::isfinite(particle.matched_motion.x_m) && std::isfinite(particle.matched_motion.y_m);
 }
 
-/// How far a motion is from the mean of all.
+/// The deviation of a motion's position from the mean of all motions, in metres.
 Point2 deviation(const Pose2& motion, const PositionMoments& all) {
     return {motion.x_m - all.mean().x_m, motion.y_m - all.mean().y_m};
 }
 
 double dot(const Point2& a, const Point2& b) { return a.x_m * b.x_m + a.y_m * b.y_m; }
 
-/// The covector of the direction in which the matched spread is widest, both measured in predicted spreads: applied to
-/// a deviation in metres it gives how many of them that is.
+/// The direction in which the matched spread is widest, when both axes are measured in predicted standard deviations.
+/// It is returned as a covector: its dot product with a deviation in metres is the deviation along that direction, in
+/// predicted standard deviations.
 Point2 weakest_direction(const PositionMoments& predicted, const PositionMoments& matched, double least_spread_m) {
     const double angle = predicted.shape().major_direction_rad;
     const Point2 major{std::cos(angle), std::sin(angle)};

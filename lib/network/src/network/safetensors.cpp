@@ -30,7 +30,7 @@ std::string header_of(const PlainWeights& weights) {
     return text;
 }
 
-/// Number of values of a shape; throws where it is none of a tensor that fits into the file.
+/// The number of values of a tensor of this shape. Throws Error if a length is negative or the number exceeds `most`.
 std::size_t count_of(const std::vector<std::int64_t>& shape, std::size_t most) {
     std::size_t count = 1;
     for (const std::int64_t length : shape) {

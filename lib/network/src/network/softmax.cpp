@@ -11,15 +11,18 @@ namespace {
 
 using IntegerLanes = std::int32_t __attribute__((vector_size(sizeof(Lanes))));
 
-/// exp(x) for x <= 0, to 3e-7 of its value; not std::exp, whose last bit depends on the processor. With
-/// x = n ln 2 + r and |r| <= ln(2) / 2, it is 2^n times the Taylor series of exp(r). Below -80 it stays at exp(-80):
-/// a share of a sum that is at least 1, smaller ones of which would only be slow denormal numbers.
+/// Replaces x by exp(x) for x <= 0, with a relative error of at most 3e-7. std::exp is not used, because its last bit
+/// depends on the processor. With x = n ln 2 + r and |r| <= ln(2) / 2, exp(x) is 2^n times the Taylor series of exp(r).
+/// Values below -80 are treated as -80: in a sum that is at least 1 such a term does not matter, and smaller ones would
+/// be denormal numbers, which are slow.
 inline __attribute__((always_inline)) void exponential(Lanes& x) {
     const Lanes least = Lanes{} - 80.0F;
     x = x > least ? x : least;
-    constexpr float to_integer = 12582912.0F;  // 1.5 * 2^23, beside which a fraction is rounded away
+    // 1.5 * 2^23; adding it to a float and subtracting it again rounds the float to a whole number
+    constexpr float to_integer = 12582912.0F;
     const Lanes n = (x * 1.44269504F + to_integer) - to_integer;
-    const Lanes r = (x - n * 0.693359375F) + n * 2.12194440e-4F;  // ln 2 in two parts; n times the first is exact
+    // ln 2 is split into two parts, so that n times the first part is exact
+    const Lanes r = (x - n * 0.693359375F) + n * 2.12194440e-4F;
     Lanes series = Lanes{} + 1.0F / 5040.0F;
     for (const float coefficient : {1.0F / 720.0F, 1.0F / 120.0F, 1.0F / 24.0F, 1.0F / 6.0F, 0.5F, 1.0F, 1.0F}) {
         series = series * r + coefficient;

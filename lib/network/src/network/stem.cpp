@@ -15,7 +15,8 @@ DDTOOL_VECTORISED void fill(Floats& map, const MapShape& shape, const Floats& bi
     }
 }
 
-/// The largest of 0 and the window's 3x3 places, lane by lane. The border's zeros change nothing, thanks to ReLU.
+/// The largest value in the window of 3x3 places, but at least 0, lane by lane. This is max pooling after ReLU in one
+/// step: because ReLU gives no negative value, the zeros of the border change nothing.
 inline __attribute__((always_inline)) void pool(const float* window, const MapShape& shape, float* out) {
     Lanes most{};
     for (std::size_t y = 0; y < 3; ++y) {
@@ -72,8 +73,9 @@ const float* Stem::run(std::span<const float> image) {
     return out_.data();
 }
 
-/// The output (oy, ox) sees the pixels from oy * stride - kernel_px / 2 on, so this one is number y + kernel_px / 2 -
-/// oy * stride of its window.
+/// Adds the contribution of one pixel to all outputs that see it. The window of the output (oy, ox) begins at the pixel
+/// row oy * stride - kernel_px / 2, so the pixel row y is row y + kernel_px / 2 - oy * stride of that window. The same
+/// holds for the columns.
 void Stem::add_pixel(std::size_t y, std::size_t x, float value) {
     const std::size_t bottom = y + kernel_px_ / 2;
     const std::size_t right = x + kernel_px_ / 2;

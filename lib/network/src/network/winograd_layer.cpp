@@ -7,12 +7,12 @@
 namespace ddtool::network {
 namespace {
 
-/// A tile gives 4x4 outputs, and sees 6x6 inputs.
+/// A tile computes 4x4 outputs from 6x6 inputs: F(4x4, 3x3) of Lavin and Gray 2016, whose matrices are A, B and G.
 constexpr std::size_t outputs_side = 4;
 constexpr std::size_t inputs_side = 6;
 constexpr std::size_t inputs_area = inputs_side * inputs_side;
 
-/// One element of G g G^T, for a 3x3 kernel g.
+/// One element of the transformed kernel G g G^T, where g is a 3x3 kernel.
 float transformed(const float* kernel, std::size_t place) {
     constexpr double g[inputs_side][3] = {
         {1.0 / 4, 0.0, 0.0},           {-1.0 / 6, -1.0 / 6, -1.0 / 6}, {-1.0 / 6, 1.0 / 6, -1.0 / 6},
@@ -24,7 +24,7 @@ float transformed(const float* kernel, std::size_t place) {
     return static_cast<float>(sum);
 }
 
-/// [36] of WeightBlocks.
+/// The transformed kernels as 36 WeightBlocks, one for each place of a tile.
 Floats packed_transforms(const FoldedKernel& kernel, std::size_t inputs) {
     const std::size_t outputs = kernel.bias.size();
     Floats packed;
@@ -37,7 +37,7 @@ Floats packed_transforms(const FoldedKernel& kernel, std::size_t inputs) {
     return packed;
 }
 
-/// B^T of six values that lie `step` apart, in place.
+/// Multiplies six values, which lie `step` apart, by B^T in place.
 inline __attribute__((always_inline)) void transform_inputs(Lanes* values, std::size_t step) {
     const Lanes v1 = values[step];
     const Lanes v2 = values[2 * step];
@@ -55,7 +55,7 @@ inline __attribute__((always_inline)) void transform_inputs(Lanes* values, std::
     values[5 * step] += 4.0F * v1 - 5.0F * v3;
 }
 
-/// A^T of six values that lie `step` apart, into the first four.
+/// Multiplies six values, which lie `step` apart, by A^T. The four results replace the first four values.
 inline __attribute__((always_inline)) void transform_products(Lanes* values, std::size_t step) {
     const Lanes sum = values[step] + values[2 * step];
     const Lanes difference = values[step] - values[2 * step];
@@ -67,7 +67,7 @@ inline __attribute__((always_inline)) void transform_products(Lanes* values, std
     values[3 * step] = difference + 8.0F * outer_difference + values[5 * step];
 }
 
-/// One tile's inputs of all channels, to places `plane` apart.
+/// Transforms the inputs of one tile, for all channels. The results of the 36 places are written `plane` floats apart.
 inline __attribute__((always_inline)) void transform_tile(const float* in, const MapShape& shape, float* out,
                                                           std::size_t plane) {
     for (std::size_t channel = 0; channel < shape.channels; channel += lane_count) {
@@ -101,7 +101,7 @@ DDTOOL_VECTORISED void transform_map(const float* in, const MapShape& shape, Flo
 
 struct Finish {
     const float* bias;
-    const float* skip;  ///< null: none
+    const float* skip;  ///< null if nothing is added
     bool relu;
 };
 
@@ -119,7 +119,8 @@ inline __attribute__((always_inline)) void finish(const Finish& how, std::size_t
     store(out + place, how.relu ? (sum > zero ? sum : zero) : sum);
 }
 
-/// One tile's outputs of all channels, from products `plane` apart; `corner` is where the first one goes.
+/// Transforms the products of one tile back, for all channels, and finishes its outputs. The products of the 36 places
+/// lie `plane` floats apart; `corner` is the offset of the tile's first output.
 inline __attribute__((always_inline)) void finish_tile(const float* products, std::size_t plane, const MapShape& shape,
                                                        const Finish& how, std::size_t corner, float* out) {
     for (std::size_t channel = 0; channel < shape.channels; channel += lane_count) {

@@ -19,7 +19,7 @@ constexpr double legend_row_px = 2.0 * label_height_px;
 constexpr double swatch_width_px = 22.0;
 constexpr double colour_bar_width_px = 14.0;
 
-/// A little air around the data, and a length where there is none.
+/// The range with a margin on both sides. An empty range becomes 0..1, and a single value gets a range around it.
 Range with_margin(const Range& range) {
     if (range.low > range.high) {
         return {0.0, 1.0};
@@ -51,10 +51,10 @@ Pixel View::pixel(double x_value, double y_value) const {
     return {(x_value - x.low) / x.length() * width_px, (y.high - y_value) / y.length() * height_px};
 }
 
-/// Where the parts of the axes are.
+/// The position of each part of the axes on the page.
 struct Axes::Frame {
     Box outer;
-    Box inner;  ///< the data
+    Box inner;  ///< the area in which the data are drawn
     View view;
     Ticks x_ticks;
     Ticks y_ticks;
@@ -108,7 +108,7 @@ double entry_width_px(const std::string& label) {
     return swatch_width_px + 3.0 * gap_px + Canvas::text_width_px(label, label_height_px);
 }
 
-/// Entries side by side, as many rows as the width asks for.
+/// Arranges the entries of the legend side by side, in as many rows as the width requires.
 template <typename Entry>
 std::vector<std::vector<Entry>> in_rows(const std::vector<Entry>& entries, double width_px) {
     std::vector<std::vector<Entry>> rows;
@@ -145,7 +145,8 @@ Axes::Frame Axes::frame_in(const Box& box) const {
     frame.inner.top_px += top_px;
     frame.inner.height_px -= top_px + bottom_px;
     const double y_tick_px = equal_aspect_ ? 60.0 : y_tick_spacing_px;
-    // The width of the tick texts decides the left margin, on which the ticks hardly depend.
+    // The left margin depends on the width of the tick texts, and these depend on the ticks. The ticks in turn hardly
+    // depend on the margin, so a second pass with the width from the first is enough.
     const auto set_left = [&](double left_px) {
         frame.inner.left_px = box.left_px + left_px;
         frame.inner.width_px = box.width_px - left_px - right_px;

@@ -7,11 +7,12 @@
 namespace ddtool::report {
 namespace {
 
-constexpr int enlarged = 2;       ///< drawn this many times as large as the page
-constexpr int subpixel_bits = 4;  ///< OpenCV's fixed-point coordinates
-constexpr double far_px = 1e6;    ///< points beyond the page still fit into OpenCV's integers
+constexpr int enlarged = 2;       ///< the canvas is drawn this many times as large as the page, and then reduced
+constexpr int subpixel_bits = 4;  ///< number of fraction bits in the fixed-point coordinates that OpenCV takes
+/// coordinates are limited to this, so that points far outside of the page still fit into OpenCV's integers
+constexpr double far_px = 1e6;
 constexpr int font = cv::FONT_HERSHEY_SIMPLEX;
-constexpr double font_height_px = 21.0;  ///< of a capital letter at scale 1
+constexpr double font_height_px = 21.0;  ///< height of a capital letter at OpenCV's font scale 1
 
 cv::Scalar bgr(Colour colour) { return {double(colour.blue), double(colour.green), double(colour.red)}; }
 
@@ -90,14 +91,14 @@ void Canvas::picture(const cv::Mat& picture, const Box& box) {
     if (picture.channels() == 1) {
         cv::cvtColor(picture, coloured, cv::COLOR_GRAY2BGR);
     }
-    if (place.width < picture.cols) {  // reduced, by the mean of what falls on one pixel
+    if (place.width < picture.cols) {  // Each pixel of the reduced picture is the mean of the pixels that it covers.
         cv::Mat reduced;
         cv::resize(coloured, reduced, {place.width, std::max(1, place.height)}, 0, 0, cv::INTER_AREA);
         coloured = reduced;
     }
     const double x_scale = static_cast<double>(place.width) / coloured.cols;
     const double y_scale = static_cast<double>(place.height) / coloured.rows;
-    // Pixel centres lie on each other, and only what is seen is computed.
+    // The shift by half a pixel makes the centres of the pixels coincide. warpAffine() computes the visible part only.
     const cv::Matx23d stretch(x_scale, 0.0, place.x + 0.5 * x_scale - 0.5,  //
                               0.0, y_scale, place.y + 0.5 * y_scale - 0.5);
     cv::warpAffine(coloured, pixels_, stretch, pixels_.size(), cv::INTER_NEAREST, cv::BORDER_TRANSPARENT);

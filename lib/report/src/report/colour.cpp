@@ -22,7 +22,7 @@ Colour heat_colour(double fraction) {
         cv::applyColorMap(levels, colours, cv::COLORMAP_PLASMA);
         return colours;
     }();
-    constexpr double last_level = 215.0;  // beyond it comes yellow, which is lost on white
+    constexpr double last_level = 215.0;  // the colours above this level are yellow, which is hard to see on white
     const cv::Vec3b bgr = table(0, static_cast<int>(last_level * std::clamp(fraction, 0.0, 1.0)));
     return {bgr[2], bgr[1], bgr[0]};
 }

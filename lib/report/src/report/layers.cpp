@@ -18,7 +18,7 @@ std::vector<Pixel> pixels_of(const View& view, const Numbers& x, const Numbers& 
     return pixels;
 }
 
-/// A bar from 0 to its height.
+/// Fills a bar from 0 to its height.
 void fill_bar(Canvas& canvas, const View& view, const Range& x, double height, Colour colour) {
     if (!std::isfinite(height)) {
         return;

@@ -16,7 +16,7 @@ void write_pgm(std::ostream& out, const MapRaster& map) {
     out.write(reinterpret_cast<const char*>(pixels.data()), static_cast<std::streamsize>(pixels.size()));
 }
 
-/// The free threshold lies below (255 - 205) / 255, so that grey 205 stays unknown.
+/// free_thresh must lie below (255 - 205) / 255 = 0.19608, so that readers take the grey 205 for unknown.
 std::string yaml(const std::string& image, const MapRaster& map) {
     std::array<char, 512> text{};
     std::snprintf(text.data(), text.size(),

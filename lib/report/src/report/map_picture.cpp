@@ -15,17 +15,19 @@ constexpr double longer_side_px = 1200.0;
 constexpr double most_px_per_cell = 5.0;
 constexpr double margin_px = 24.0;
 constexpr double footer_px = 44.0;
-constexpr double least_width_px = 240.0;  ///< has room for the scale bar
-constexpr double path_step_px = 2.0;      ///< shorter pieces of anti-aliased line would add up to a thick one
-constexpr int fraction_bits = 4;  ///< of pixel coordinates handed to OpenCV, so that slanted lines stay straight
+constexpr double least_width_px = 240.0;  ///< leaves room for the scale bar
+/// shorter pieces of an anti-aliased line would add up to a line that is too thick
+constexpr double path_step_px = 2.0;
+/// fraction bits of the pixel coordinates for OpenCV; without them slanted lines would look bent
+constexpr int fraction_bits = 4;
 
-const cv::Scalar black(0, 0, 0);  // as all colours here: blue, green, red
+const cv::Scalar black(0, 0, 0);  // like all colours here, in the order blue, green, red
 const cv::Scalar white(255, 255, 255);
 const cv::Scalar blue(178, 114, 0);
 const cv::Scalar green(115, 158, 0);
 const cv::Scalar red(30, 50, 213);
 
-/// The part of the world a picture shows.
+/// The part of the world that a picture shows.
 struct Extent {
     double x_min_m, y_min_m, x_max_m, y_max_m;
 
@@ -47,7 +49,7 @@ double scale_px_per_m(const Extent& extent, double cell_size_m) {
     return std::min(longer_side_px / std::max(extent.width_m(), extent.height_m()), most_px_per_cell / cell_size_m);
 }
 
-/// The longest of 1, 2, 5 times a power of ten that is at most `limit`.
+/// The largest number of the form 1, 2 or 5 times a power of ten that is at most `limit`.
 double round_length(double limit) {
     const double power = std::pow(10.0, std::floor(std::log10(limit)));
     return limit >= 5.0 * power ? 5.0 * power : limit >= 2.0 * power ? 2.0 * power : power;
@@ -58,7 +60,7 @@ struct CellRange {
     std::size_t end = 0;
 };
 
-/// The cells of one axis that fall on a pixel: at least one, where the pixel is on the map.
+/// The cells along one axis that fall on a pixel. A pixel that lies on the map has at least one cell.
 CellRange cells_between(double low_m, double high_m, double origin_m, double cell_size_m, std::size_t count) {
     constexpr double rounding = 1e-6;
     const double first = std::floor((low_m - origin_m) / cell_size_m + rounding);
@@ -69,7 +71,8 @@ CellRange cells_between(double low_m, double high_m, double origin_m, double cel
     return {limited(first), limited(last)};
 }
 
-/// Of the cells that fall on one pixel an occupied one wins, then a free one: walls are thin, free space is wide.
+/// The value that represents the cells of one pixel: occupied if any cell is occupied, otherwise free if any cell is
+/// free. In this order thin walls stay visible when a large map is reduced.
 std::int8_t winner(const MapRaster& map, const CellRange& columns, const CellRange& rows) {
     std::int8_t best = MapRaster::unknown;
     for (std::size_t y = rows.begin; y < rows.end; ++y) {
@@ -116,7 +119,8 @@ public:
         cv::polylines(image_, points, false, blue, 2, cv::LINE_AA, fraction_bits);
         if (!path.empty()) {
             dot(path.back().pose, red, 6);
-            dot(path.front().pose, green, 3);  // smaller, so that both show where the robot has come back
+            // smaller, so that both dots are visible if the robot has returned to its start
+            dot(path.front().pose, green, 3);
         }
     }
 

@@ -5,7 +5,7 @@
 namespace ddtool {
 namespace {
 
-/// The smallest box that holds every observed cell.
+/// The smallest box that contains every observed cell.
 CellBox tight_box(const OccupancyGrid& grid) {
     const CellBox patches = grid.observed_box();
     CellBox box{patches.x_max, patches.y_max, patches.x_min, patches.y_min};

@@ -14,7 +14,8 @@
 namespace ddtool::report {
 namespace {
 
-/// Nothing may be loaded but what is in the page, even if a text should slip through.
+/// The page's Content-Security-Policy. The browser loads nothing from outside of the page, even if a text in it should
+/// contain markup that was not escaped.
 constexpr const char* policy =
     "default-src 'none'; img-src data:; style-src 'unsafe-inline'; script-src 'unsafe-inline'";
 

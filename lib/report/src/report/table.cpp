@@ -51,7 +51,7 @@ std::string markdown_field(const std::string& text) {
     return escaped;
 }
 
-/// Characters, not bytes, of UTF-8.
+/// The number of characters of a UTF-8 text. Bytes of the form 10xxxxxx continue a character and are not counted.
 std::size_t width(const std::string& text) {
     return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
 }
@@ -63,7 +63,7 @@ std::string padded(const std::string& text, std::size_t to_width, bool to_the_ri
 
 }  // namespace
 
-/// The table's words with the width of each column.
+/// The table's texts together with the width of each column.
 struct Table::Layout : Table::Words {
     std::vector<std::size_t> widths;
 

@@ -9,7 +9,8 @@
 namespace ddtool::report {
 namespace {
 
-/// The row of [begin, end) that comes first by `before`, among those with a number; `begin` where none has one.
+/// The row of [begin, end) whose value comes first in the order `before`. NaN values are passed over; if all values are
+/// NaN, the result is `begin`.
 template <typename Before>
 std::size_t extreme_row(const std::vector<double>& line, std::size_t begin, std::size_t end, Before before) {
     std::size_t found = begin;

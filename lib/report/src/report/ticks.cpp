@@ -8,7 +8,7 @@
 namespace ddtool::report {
 namespace {
 
-/// The smallest of 1, 2, 5, 10 times a power of ten that is not below the distance.
+/// The smallest number of the form 1, 2, 5 or 10 times a power of ten that is not below the distance.
 double nice_distance(double distance) {
     const double power = std::pow(10.0, std::floor(std::log10(distance)));
     for (const double digit : {1.0, 2.0, 5.0}) {
@@ -31,7 +31,7 @@ Ticks nice_ticks(double low, double high, std::size_t wanted) {
     const auto count = static_cast<std::size_t>(std::max(0.0, last - first + 1.0));
     for (std::size_t index = 0; index < count; ++index) {
         const double multiple = first + static_cast<double>(index);
-        ticks.places.push_back(multiple == 0.0 ? 0.0 : multiple * distance);  // no "-0"
+        ticks.places.push_back(multiple == 0.0 ? 0.0 : multiple * distance);  // avoids the label "-0"
     }
     return ticks;
 }

@@ -4,14 +4,14 @@
 
 namespace ddtool {
 
-/// A symmetric 2 x 2 matrix in its axes.
+/// The eigenvalues of a symmetric 2 x 2 matrix, and the direction of the eigenvector of the larger one.
 struct PrincipalAxes {
     double larger = 0.0;         ///< eigenvalue
-    double smaller = 0.0;        ///< eigenvalue; rounding may leave it a little below 0 where the matrix has none below
-    double direction_rad = 0.0;  ///< of the larger one's eigenvector, in (-pi/2, pi/2]
+    double smaller = 0.0;        ///< eigenvalue; may be slightly negative by rounding if the exact value is 0
+    double direction_rad = 0.0;  ///< of the eigenvector of `larger`, in (-pi/2, pi/2]
 };
 
-/// Of the matrix [xx xy; xy yy].
+/// The principal axes of the matrix [xx xy; xy yy].
 inline PrincipalAxes principal_axes(double xx, double xy, double yy) {
     const double middle = (xx + yy) / 2.0;
     const double radius = std::hypot((xx - yy) / 2.0, xy);

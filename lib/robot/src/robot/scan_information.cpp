@@ -3,10 +3,13 @@
 namespace ddtool {
 namespace {
 
-/// Neighbours that scatter at least this much across their line, relative to along it, are no surface.
+/// From this along_weight on, the neighbours of a point form no line, and the point determines the position in both
+/// directions.
 constexpr float no_line = 0.5F;
 
-/// Outer product of the derivative of the end point's distance along `direction` by the pose.
+/// The information about the pose (x, y, theta) from an end point whose position is known along `direction` with unit
+/// variance: the outer product of the derivative of the end point's coordinate along `direction` with respect to the
+/// pose.
 Eigen::Matrix3d held_along(const Eigen::Vector2d& direction, const Eigen::Vector2d& end) {
     const Eigen::Vector3d gradient(direction.x(), direction.y(), direction.y() * end.x() - direction.x() * end.y());
     return gradient * gradient.transpose();

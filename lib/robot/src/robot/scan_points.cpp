@@ -8,7 +8,8 @@
 namespace ddtool {
 namespace {
 
-/// Second moments of the neighbours of a point, relative to it.
+/// Number of neighbours of a point, and the sums of their coordinates and of the products of these, relative to the
+/// point.
 struct Moments {
     double count = 0.0, x = 0.0, y = 0.0, xx = 0.0, xy = 0.0, yy = 0.0;
 
@@ -23,15 +24,19 @@ struct Moments {
 };
 
 constexpr std::size_t most_neighbours_each_side = 12;
-/// Taken however far they are: beams along a wall far ahead are metres apart, and still show its direction.
+/// These neighbours are taken at any distance: the end points on a wall far ahead are metres apart and still show its
+/// direction.
 constexpr std::size_t least_neighbours_each_side = 2;
-constexpr double points_of_a_line = 3.0;  // those at the ends of a run have two neighbours
+/// A line needs at least this many points, the point itself included. A point at the end of a run has neighbours on one
+/// side only, and two of them are always taken.
+constexpr double points_of_a_line = 3.0;
 
-/// Adds neighbours from `point` in steps of `step` while they are of adjacent beams.
+/// Adds the neighbours on one side of `point` as long as they come from adjacent beams; `step` is 1 or -1.
 void add_side(const ScanPoints& points, std::size_t point, int step, double radius_m, Moments& moments) {
     std::size_t last = point;
     for (std::size_t taken = 0; taken < most_neighbours_each_side; ++taken) {
-        const std::size_t next = last + static_cast<std::size_t>(step);  // wraps below zero to a huge index
+        // Below 0 the unsigned index wraps around to a huge one, which ends the loop.
+        const std::size_t next = last + static_cast<std::size_t>(step);
         if (next >= points.size() || std::abs(points.order[next] - points.order[last]) > 2) {
             return;
         }
@@ -45,7 +50,8 @@ void add_side(const ScanPoints& points, std::size_t point, int step, double radi
     }
 }
 
-/// Neighbours farther apart than the radius are of one surface only if they lie on a line this well.
+/// If the neighbours extend along their line by more than normal_radius_m (standard deviation), they belong to one
+/// surface only if their standard deviation across the line is at most this.
 constexpr double far_line_residual_m = 0.04;
 
 void set_normal(ScanPoints& points, std::size_t point) {
@@ -72,14 +78,16 @@ void set_normal(ScanPoints& points, std::size_t point) {
     points.along_weight[point] = static_cast<float>(roughness * roughness);
 }
 
-/// Where the next beam of the wall ends that the beams `last` and the one before it see: along a straight wall the
-/// inverse range is linear in small angles.
+/// The range at which the next beam ends if the last two beams met a straight wall that continues: along a straight
+/// wall the inverse of the range is linear in the angle, for small angles.
 double continued_m(double before_m, double last_m) { return 1.0 / (2.0 / last_m - 1.0 / before_m); }
 
-/// Whether a beam met an edge and its range is a mixture of those before and behind it (a veiling or mixed point): it
-/// lies between its neighbours, apart from both, and on neither's wall. At the edges of recesses and doors such points
-/// float behind what is there; a map with them lets every corridor come out long.
+/// Whether the range of a beam is a mixture of two surfaces, because the beam met the edge of the nearer one (a veiling
+/// or mixed point). Such a range lies between those of the two neighbouring beams, is apart from both, and continues
+/// the wall of neither. At the edges of recesses and doors, such points float between the surfaces; if they enter the
+/// map, every corridor comes out too long.
 bool is_mixed(const std::vector<float>& ranges_m, std::size_t beam) {
+    // Two ranges are apart if they differ by more than gap_m + gap_per_m * range.
     constexpr double gap_m = 0.05;
     constexpr double gap_per_m = 0.01;
     if (beam < 2 || beam + 2 >= ranges_m.size()) {
@@ -98,7 +106,7 @@ bool is_mixed(const std::vector<float>& ranges_m, std::size_t beam) {
            apart(continued_m(range_m(beam + 2), range_m(beam + 1)));
 }
 
-/// Neighbouring end points on the way to becoming one.
+/// Neighbouring end points that are merged to one.
 struct Group {
     Point2 first;
     Point2 sum;
@@ -132,6 +140,8 @@ void add_end_points(ScanPoints& points, const SensorFrame& frame, const ScanPoin
         const auto range_m = static_cast<double>(frame.scan.ranges_m[beam]);
         if (!(range_m <= settings.usable_range_m)) {
             close_group(points, group, order);
+            // With the increment for the next point, `order` then rises by 3 or more across the gap. add_side() accepts
+            // steps of at most 2.
             order += 2;
             continue;
         }

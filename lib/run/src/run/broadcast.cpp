@@ -128,7 +128,7 @@ void Broadcast::unsubscribe(ClientId client, std::uint32_t subscription) {
     wishes.subscriptions.erase(found);
 }
 
-/// Not to who does not read: complaints would pile up.
+/// Sends an error message to the client. A client that does not read gets none, because its messages would pile up.
 void Broadcast::complain(ClientId client, const std::string& text) {
     if (has_room(client)) {
         links_.send_text(client, foxglove_status(FoxgloveStatusLevel::error, text));

@@ -24,12 +24,12 @@ void append(std::string& bytes, Number number) {
     bytes.append(raw, sizeof(Number));
 }
 
-/// A client's value in a line of ours.
+/// A value that a client sent, shortened to 40 characters for use in an error message.
 std::string quoted(const Json& value) {
     return value.dump(-1, ' ', true, Json::error_handler_t::replace).substr(0, 40);
 }
 
-/// In words for who writes a client.
+/// Reads an id. The text of the error is meant for the author of the client.
 std::uint32_t id(const Json& number) {
     if (!number.is_number_unsigned() || number.get<std::uint64_t>() > std::numeric_limits<std::uint32_t>::max()) {
         throw Error("expected an id from 0 to 4294967295, not " + quoted(number));
@@ -82,7 +82,7 @@ std::string foxglove_advertisement(std::span<const FoxgloveChannel> channels) {
 }
 
 std::string foxglove_status(FoxgloveStatusLevel level, const std::string& text) {
-    // The text may quote a client's bytes, which need not be UTF-8.
+    // The text may quote bytes from a client, which are not always valid UTF-8.
     return Json{{"op", "status"}, {"level", static_cast<int>(level)}, {"message", text}}.dump(
         -1, ' ', false, Json::error_handler_t::replace);
 }

@@ -6,7 +6,8 @@ namespace ddtool {
 namespace {
 
 constexpr std::chrono::seconds least_map_interval{1};
-/// Maps cost the run no more than a part of this.
+/// After a map has been made and sent, the next one waits for this many times as long as that took. So maps take at
+/// most one part in 21 of the run's time.
 constexpr int map_time_share = 20;
 
 }  // namespace

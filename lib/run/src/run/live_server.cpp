@@ -6,7 +6,7 @@
 namespace ddtool {
 namespace {
 
-/// Tells this start of the server from another one.
+/// A name that differs for each start of the server, so that clients can tell a restarted server from the old one.
 std::string session_name() { return std::to_string(std::chrono::system_clock::now().time_since_epoch().count()); }
 
 }  // namespace

@@ -5,7 +5,7 @@
 namespace ddtool {
 namespace {
 
-/// Maps are written when the run has become a tenth longer, but not more often than this.
+/// A map is written when the run has become a tenth longer since the last one, but at most every 10 s of the log.
 constexpr std::int64_t least_map_interval_ns = 10'000'000'000;
 constexpr std::int64_t map_interval_share = 10;
 
@@ -28,7 +28,7 @@ void ResultLog::finish(const MapRaster& map, const Trajectory& path) {
     messages_.add_map(path.empty() ? 0 : path.back().stamp_ns, map, path);
 }
 
-/// So the file holds a few dozen maps, however long the run.
+/// Because the intervals grow with the run, the file holds a few dozen maps even if the run is long.
 bool ResultLog::map_is_due(std::int64_t stamp_ns) const {
     if (!start_ns_) {
         return true;

@@ -14,14 +14,14 @@ namespace ddtool {
 namespace {
 
 constexpr std::size_t most_rows = 4000;
-constexpr double length_step_m = 0.001;  ///< lengths and times are written no finer
+constexpr double length_step_m = 0.001;  ///< lengths and times are rounded to these steps
 constexpr double time_step_s = 0.001;
 
 struct Line {
     std::string name;
     std::string unit;
-    double step;  ///< values are written no finer
-    Json limits;  ///< {"low", "high"}, where they are not those of the values
+    double step;  ///< values are rounded to a multiple of it
+    Json limits;  ///< {"low", "high"}: the limits of its scale; where one is missing, it follows from the values
     std::vector<double> values;
     bool shows_resampling = false;
 };
@@ -36,7 +36,8 @@ std::vector<double> values_of(const RunCourse& course, Value value) {
     return values;
 }
 
-/// The true places at the updates, in the frame of the map, and how far the path is from them: NaN where unknown.
+/// The true positions at the updates, in the frame of the map, and the distances of the path from them. A distance is
+/// NaN where the truth is not known.
 struct Truth {
     Trajectory places;
     std::vector<double> errors_m;
@@ -65,8 +66,8 @@ bool says_something(const Line& line) {
     return std::any_of(line.values.begin(), line.values.end(), [](double value) { return std::abs(value) > 0.0; });
 }
 
-/// By how much the path is best coloured, the best first; without those that are 0 throughout, such as the degree where
-/// the method has no detector.
+/// The quantities by which the path can be coloured, the most useful one first. Quantities that are 0 throughout are
+/// left out, for example the degree of a method without a detector.
 std::vector<Line> lines_of(const RunCourse& course, const Truth& truth) {
     const Json at_least_0{{"low", 0.0}};
     std::vector<Line> lines{
@@ -88,7 +89,8 @@ std::vector<Line> lines_of(const RunCourse& course, const Truth& truth) {
     return lines;
 }
 
-/// As short as it can be: 0.1 + 0.2 would take 17 digits.
+/// The value rounded to a multiple of `step`. Dividing by the inverse of the step gives the double with the shortest
+/// text: multiplying 3 by 0.1 would give 0.30000000000000004.
 Json number(double value, double step) {
     const double inverse_step = std::round(1.0 / step);
     return std::isfinite(value) ? Json(std::round(value * inverse_step) / inverse_step) : Json();
@@ -112,7 +114,8 @@ Json line_json(const Line& line, const std::vector<std::size_t>& rows) {
     return json;
 }
 
-/// Rows at or before which, since the row before, the swarm was resampled.
+/// The numbers of the rows at which a resampling is shown: the swarm was resampled at that row's update, or at one of
+/// the updates between the previous row and that row.
 Json resampled_rows(const RunCourse& course, const std::vector<std::size_t>& rows) {
     Json resampled = Json::array();
     std::size_t update = 0;
@@ -128,7 +131,7 @@ Json resampled_rows(const RunCourse& course, const std::vector<std::size_t>& row
     return resampled;
 }
 
-/// Since the first scan.
+/// The times of the rows in seconds since the first scan.
 Json times_json(const RunCourse& course, const FilterRun& run, const std::vector<std::size_t>& rows) {
     Json times{{"name", "time"}, {"unit", "s"}, {"values", Json::array()}};
     for (const std::size_t row : rows) {

@@ -13,11 +13,12 @@ constexpr const char* odom_frame = "odom";
 constexpr const char* robot_frame = "base_link";
 constexpr const char* laser_frame = "laser";
 
-/// Poses of the path nearer than this to the one before say nothing in a picture; nor does one among so many.
+/// The path is thinned to poses at least this far apart, since closer ones cannot be told apart in a picture, and to at
+/// most about this many poses.
 constexpr double path_step_m = 0.1;
 constexpr double most_path_poses = 65'536.0;
 
-/// The poses that show the way, a step apart, and the last.
+/// The poses of the path that are one step apart, and the last pose.
 Trajectory thinned(const Trajectory& path) {
     const double step_m = std::max(path_step_m, path_length_m(path) / most_path_poses);
     Trajectory kept;
@@ -54,7 +55,8 @@ void RunMessages::write_transforms(const SensorFrame& frame, const Pose2& map_fr
                     transform_message(stamp_ns, robot_frame, laser_frame, frame.robot_from_laser));
     }
     const Pose2 map_from_odom = map_from_robot * inverse(frame.odom_from_robot);
-    // One message, so that who gets the latest of the topic has the whole way from the map to the robot.
+    // Both transforms go into one message, so that a client that gets only the latest message of the topic still has
+    // the whole chain from the map to the robot.
     RosTFMessage way = transform_message(stamp_ns, map_frame, odom_frame, map_from_odom);
     way.transforms.push_back(
         transform_message(stamp_ns, odom_frame, robot_frame, frame.odom_from_robot).transforms.front());
@@ -85,7 +87,8 @@ void RunMessages::add_pose(std::int64_t stamp_ns, const Rbpf& filter) {
     const Eigen::Matrix3d covariance = filter.pose_covariance();
     RosPoseWithCovarianceStamped pose{
         .header = {{stamp_ns}, map_frame}, .pose = to_ros_pose(filter.pose()), .covariance = {}};
-    constexpr std::array<std::size_t, 3> places{0, 1, 5};  // x, y and the turn about z among six
+    // x, y and the rotation about z among the six axes of a ROS pose
+    constexpr std::array<std::size_t, 3> places{0, 1, 5};
     for (std::size_t row = 0; row < 3; ++row) {
         for (std::size_t column = 0; column < 3; ++column) {
             pose.covariance[6 * places[row] + places[column]] =

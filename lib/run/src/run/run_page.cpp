@@ -35,7 +35,7 @@ std::vector<report::Fact> facts_of(const RunReport& run, const CostReport& cost)
     return facts;
 }
 
-/// The explorer's row that is nearest in time.
+/// The row of the explorer that is nearest in time to the stamp.
 std::size_t row_at(std::int64_t stamp_ns, const RunCourse& course, const std::vector<std::size_t>& updates) {
     const auto apart_ns = [&](std::size_t update) { return std::abs(course.updates()[update].stamp_ns - stamp_ns); };
     const auto nearest = std::min_element(updates.begin(), updates.end(),

@@ -8,7 +8,8 @@ namespace ddtool {
 
 namespace {
 
-/// From the earliest to the latest stamp: old logs jitter backwards.
+/// The time between the earliest and the latest stamp. These need not be the first and the last one, because the stamps
+/// of some old logs step backwards.
 double duration_s(const Trajectory& trajectory) {
     if (trajectory.empty()) {
         return 0.0;

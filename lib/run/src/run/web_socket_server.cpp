@@ -20,12 +20,13 @@ using Connection = Server::connection_ptr;
 constexpr std::size_t longest_request_bytes = std::size_t{1} << 16;
 constexpr long tick_ms = 50;
 constexpr long goodbye_ms = 1000;
-/// A client that vanished without a word, such as one whose cable was pulled, answers no ping. One that is only slow
-/// sees the ping when it has read what waits before it.
+/// A client that has vanished without closing the connection, for example because its cable was pulled, does not answer
+/// a ping. A slow client does answer, but only after it has read what was sent before the ping, which is why the wait
+/// is long.
 constexpr long ping_interval_ms = 120'000;
 constexpr long pong_wait_ms = 100'000;
 
-/// As a URL has it.
+/// The address and the port as they are written in a URL.
 std::string url_part(const asio::ip::tcp::endpoint& at) {
     const std::string address = at.address().to_string();
     return (at.address().is_v6() ? "[" + address + "]" : address) + ":" + std::to_string(at.port());
@@ -69,7 +70,8 @@ public:
 
     void send(ClientId client, const std::string& payload, ws::frame::opcode::value kind) {
         if (const auto found = clients_.find(client); found != clients_.end()) {
-            found->second->send(payload, kind);  // what fails is a client that is about to be closed
+            // an error is ignored: it means that the connection is about to be closed
+            found->second->send(payload, kind);
         }
     }
     std::size_t unsent_bytes(ClientId client) const {
@@ -102,7 +104,7 @@ private:
     }
 
     void serve() {
-        // What a client makes the library throw must not end the run.
+        // An exception that the library throws because of a client's behaviour must not end the run.
         while (!server_.stopped()) {
             try {
                 server_.run();
@@ -180,7 +182,8 @@ private:
         }
         ws::lib::error_code ignored;
         server_.stop_listening(ignored);
-        for (const auto& [client, connection] : std::map(clients_)) {  // closing may take from the map
+        // iterates over a copy, because closing a connection may erase it from clients_
+        for (const auto& [client, connection] : std::map(clients_)) {
             connection->close(ws::close::status::going_away, "the run is over", ignored);
         }
         server_.set_timer(goodbye_ms, [this](const ws::lib::error_code&) { server_.stop(); });

@@ -8,7 +8,8 @@
 namespace ddtool {
 namespace {
 
-/// Least-squares rotation of the centred positions, then the translation that joins the centroids.
+/// The least-squares rotation of the centred positions, and then the translation that makes the centroids coincide
+/// (Umeyama 1991, in the plane and without scale).
 Pose2 umeyama_se2(std::span<const PosePair> pairs) {
     Point2 estimate_mean;
     Point2 reference_mean;

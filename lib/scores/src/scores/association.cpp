@@ -6,7 +6,7 @@ namespace ddtool {
 namespace {
 
 double seconds_between(std::int64_t earlier_ns, std::int64_t later_ns) {
-    // Unsigned, since the difference of two 64-bit stamps may not fit into a signed one.
+    // The subtraction is unsigned, because the difference of two 64-bit stamps may not fit into a signed integer.
     return static_cast<double>(static_cast<std::uint64_t>(later_ns) - static_cast<std::uint64_t>(earlier_ns)) * 1e-9;
 }
 

@@ -22,7 +22,8 @@ std::size_t bin_of(double probability, std::size_t bins) {
     return static_cast<std::size_t>(std::clamp(place, 0.0, static_cast<double>(bins - 1)));
 }
 
-/// Of the negative log-likelihood by 1/temperature; rises with it.
+/// The derivative of the negative log-likelihood by 1/temperature. It never falls, so its root can be found by
+/// bisection.
 double slope(std::span<const double> logits, const std::vector<bool>& positive, double inverse_temperature) {
     double sum = 0.0;
     for (std::size_t index = 0; index < logits.size(); ++index) {

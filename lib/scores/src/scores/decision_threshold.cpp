@@ -13,7 +13,9 @@ DecisionThreshold most_accurate_threshold(std::span<const double> scores, const 
     std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return scores[a] < scores[b]; });
     constexpr double infinity = std::numeric_limits<double>::infinity();
     const auto count = static_cast<std::int64_t>(scores.size());
-    std::int64_t right = std::count(positive.begin(), positive.end(), true);  // positive above the cut, below them all
+    // The number of right decisions if everything above the cut is decided positive. The first cut lies below all
+    // scores.
+    std::int64_t right = std::count(positive.begin(), positive.end(), true);
     std::int64_t most_right = -1;
     DecisionThreshold best;
     for (std::size_t cut = 0; cut <= order.size(); ++cut) {

@@ -47,7 +47,8 @@ double roc_auc(std::span<const double> scores, const std::vector<bool>& positive
 }
 
 std::vector<RocPoint> roc_curve(std::span<const double> scores, const std::vector<bool>& positive) {
-    std::map<double, std::array<double, 2>, std::greater<>> counts;  // by score: negatives, positives
+    // number of negatives and of positives for each score
+    std::map<double, std::array<double, 2>, std::greater<>> counts;
     std::array<double, 2> all{};
     for (std::size_t i = 0; i < scores.size(); ++i) {
         const std::size_t side = positive[i] ? 1 : 0;
@@ -78,7 +79,7 @@ double rank_correlation(std::span<const double> first, std::span<const double> s
     }
     const std::vector<std::size_t> first_ranks = doubled_ranks(first_known);
     const std::vector<std::size_t> second_ranks = doubled_ranks(second_known);
-    const double mean = static_cast<double>(first_ranks.size()) + 1.0;  // of doubled ranks
+    const double mean = static_cast<double>(first_ranks.size()) + 1.0;  // the mean of the doubled ranks 2, 4, ..., 2n
     double covariance = 0.0;
     double first_variance = 0.0;
     double second_variance = 0.0;

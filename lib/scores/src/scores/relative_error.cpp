@@ -22,7 +22,7 @@ std::vector<std::size_t> every_nth(std::size_t count, std::size_t n) {
     return nodes;
 }
 
-/// Where the delta has been covered since the last node.
+/// The pairs at which the delta has been covered since the node before.
 std::vector<std::size_t> nodes_along(std::span<const PosePair> pairs, const RpeDelta& delta) {
     std::vector<std::size_t> nodes;
     double covered = 0.0;

@@ -19,7 +19,7 @@ std::vector<double> sorted(std::span<const double> values) {
     return copy;
 }
 
-/// P(B <= k) for B binomial with n trials of probability 1/2.
+/// The probability that B <= k, where B has the binomial distribution of n trials with probability 1/2.
 double binomial_half_cdf(std::size_t k, std::size_t n) {
     double log_choose = 0.0;
     double sum = 0.0;
@@ -38,7 +38,7 @@ std::vector<double> differences(std::span<const double> first, std::span<const d
     return result;
 }
 
-/// Probability of every rank sum when each rank is counted or not with probability 1/2.
+/// The probability of every possible rank sum, if each rank is included with probability 1/2.
 std::vector<double> rank_sum_distribution(const std::vector<std::size_t>& ranks) {
     std::vector<double> probability(std::accumulate(ranks.begin(), ranks.end(), std::size_t{1}), 0.0);
     probability[0] = 1.0;
@@ -62,7 +62,7 @@ double two_sided_p(const std::vector<double>& nonzero_differences) {
         positive_sum += nonzero_differences[i] > 0.0 ? ranks[i] : 0;
     }
     const std::vector<double> probability = rank_sum_distribution(ranks);
-    // The distribution is symmetric: the smaller tail is that of the smaller rank sum.
+    // The distribution is symmetric, so the smaller of the two tails belongs to the smaller rank sum.
     const std::size_t smaller_sum = std::min(positive_sum, probability.size() - 1 - positive_sum);
     const auto end = probability.begin() + static_cast<std::ptrdiff_t>(smaller_sum) + 1;
     return std::min(1.0, 2.0 * std::accumulate(probability.begin(), end, 0.0));
@@ -78,7 +78,7 @@ double quantile(std::span<const double> values, double fraction) {
     const double place = fraction * static_cast<double>(order.size() - 1);
     const auto below = static_cast<std::size_t>(place);
     const double share = place - static_cast<double>(below);
-    if (share == 0.0 || order[below] == order[below + 1]) {  // infinity minus infinity would be NaN
+    if (share == 0.0 || order[below] == order[below + 1]) {  // interpolating between two infinite values would give NaN
         return order[below];
     }
     return order[below] + share * (order[below + 1] - order[below]);
@@ -103,7 +103,7 @@ MedianInterval median_interval(std::span<const double> values, double wanted_cov
     const auto coverage_without = [&](std::size_t left_out) {
         return 1.0 - 2.0 * binomial_half_cdf(left_out, order.size());
     };
-    std::size_t left_out = 0;  // at either end
+    std::size_t left_out = 0;  // number of values that are left out at each end
     while (2 * (left_out + 1) < order.size() && coverage_without(left_out + 1) >= wanted_coverage) {
         ++left_out;
     }

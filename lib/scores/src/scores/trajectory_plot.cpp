@@ -27,7 +27,7 @@ Columns columns_of(const std::vector<PosePair>& pairs) {
     return columns;
 }
 
-/// As high as the path needs at the page's width, within bounds.
+/// The height that shows the path at equal scales over the page's width, limited to 350..800 px.
 double path_panel_height_px(const Columns& columns) {
     report::Range x;
     report::Range y;

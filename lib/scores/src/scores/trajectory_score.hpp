@@ -26,8 +26,7 @@ struct TrajectoryScore {
 TrajectoryScore score_against(const Trajectory& estimate, const Trajectory& reference,
                               const ScoreOptions& options = {});
 
-/// The figures of a score, without the poses that they are of: those that are there. As JSON the keys are the names of
-/// the members.
+/// The figures of a score that exist, without the poses behind them. In JSON, the keys are the names of the members.
 struct ScoreFigures {
     std::optional<ErrorStatistics> ate_m;
     std::optional<ErrorStatistics> error_x_m;

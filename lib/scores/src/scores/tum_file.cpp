@@ -31,7 +31,7 @@ std::optional<StampedPose> parse_pose(std::string_view line) {
         return std::nullopt;
     }
     const auto [x, y, z, qx, qy, qz, qw] = values;
-    // Written so that the quaternion need not be of unit length.
+    // This formula also holds for a quaternion that is not of unit length.
     const double yaw = std::atan2(2.0 * (qw * qz + qx * qy), qw * qw + qx * qx - qy * qy - qz * qz);
     return StampedPose{*stamp, {x, y, yaw}};
 }

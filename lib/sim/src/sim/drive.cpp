@@ -9,9 +9,13 @@
 namespace ddtool::sim {
 namespace {
 
+/// A leg has been driven when no more than this is left of it.
 constexpr double reached_m = 0.01;
+/// A way point counts as missed if the robot is farther away from it at the end of its leg.
 constexpr double missed_m = 0.5;
+/// Turning in place ends when the heading error is smaller than this.
 constexpr double turned_rad = 0.02;
+/// The turn rate is this times the heading error, within the limits on turning.
 constexpr double heading_gain_per_s = 4.0;
 
 struct Leg {
@@ -34,7 +38,7 @@ Leg leg_between(const Point2& from, const Point2& to) {
     return {.from = from, .heading_rad = std::atan2(dy, dx), .length_m = std::hypot(dx, dy)};
 }
 
-/// Slower the sharper the corner; standing still where the robot turns in place.
+/// The speed at the end of a leg: the sharper the corner, the lower, and 0 where the robot turns in place.
 double corner_speed(const Leg& leg, const Leg& next, const DriveSettings& settings) {
     const double corner_rad = std::abs(wrap_angle(next.heading_rad - leg.heading_rad));
     return settings.speed_m_per_s * std::max(0.0, 1.0 - corner_rad / settings.turn_in_place_above_rad);
@@ -89,7 +93,8 @@ private:
         return std::min(settings_.speed_m_per_s, speed);
     }
 
-    /// As fast as still lets the robot stop turning at zero error.
+    /// The highest turn rate from which the robot can still stop turning when the error becomes zero. The exact limit
+    /// is sqrt(2 a e) for the turn acceleration a and the error e; 1.6 in place of 2 leaves a margin.
     [[nodiscard]] double steering_rate(double error_rad) const {
         const double size = std::abs(error_rad);
         const double rate = std::min({settings_.turn_rate_rad_per_s, heading_gain_per_s * size,
@@ -113,7 +118,7 @@ private:
     bool turning_ = false;
 };
 
-/// Ample for any drive that makes progress.
+/// The time in seconds after which a leg is given up; ample for any drive that makes progress.
 double patience_s(const Leg& leg, const DriveSettings& settings) {
     return 300.0 + 10.0 * leg.length_m / settings.speed_m_per_s;
 }

@@ -10,7 +10,8 @@ Eigen::Vector2d rotated(const Point2& vector, double angle_rad) {
     return {turned.x_m, turned.y_m};
 }
 
-/// dr / d(x, y, theta), all in the robot's frame.
+/// The derivative of a beam's range with respect to the pose (x, y, theta), all in the robot's frame; the equation is
+/// in the header.
 Eigen::RowVector3d range_gradient(const Eigen::Vector2d& laser, const Eigen::Vector2d& direction, double range_m,
                                   const Eigen::Vector2d& normal) {
     const Eigen::Vector2d hit = laser + range_m * direction;

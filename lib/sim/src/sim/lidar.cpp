@@ -10,7 +10,7 @@ namespace ddtool::sim {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180.0;
-/// Surfaces nearer to each other than this give one echo.
+/// Two surfaces whose ranges differ by less than this do not give a mixed range.
 constexpr double echo_separation_m = 0.05;
 
 const std::map<std::string, LidarSettings>& lidar_presets() {
@@ -69,13 +69,15 @@ bool same_surface(const std::optional<Hit>& a, const std::optional<Hit>& b) {
     return a && b ? a->surface == b->surface : !a && !b;
 }
 
-/// An edge within a beam's footprint lies between it and a neighbour, so those tell where to look for one.
+/// Whether an edge may lie within the footprint of a beam. If it does, it lies between the beam and one of its
+/// neighbours, and the two hit different surfaces.
 bool is_at_edge(const BeamHits& hits, std::size_t beam) {
     return (beam > 0 && !same_surface(hits[beam], hits[beam - 1])) ||
            (beam + 1 < hits.size() && !same_surface(hits[beam], hits[beam + 1]));
 }
 
-/// A footprint with an edge in it returns one echo somewhere between those of its two sides.
+/// The range of a beam whose footprint contains an edge: a single echo at a random place between the ranges of the two
+/// sides. Nullopt if the sides do not differ enough, or one of them gives no echo.
 std::optional<double> mixed_range(const std::optional<Hit>& one, const std::optional<Hit>& other,
                                   RandomStream& random) {
     if (!one || !other || std::abs(one->range_m - other->range_m) < echo_separation_m) {
@@ -84,7 +86,7 @@ std::optional<double> mixed_range(const std::optional<Hit>& one, const std::opti
     return one->range_m + random.uniform() * (other->range_m - one->range_m);
 }
 
-/// What a lidar reports of an echo at a range, or of none.
+/// What the lidar reports for an echo at range_m; nullopt means that there is no echo.
 float reading(const std::optional<double>& range_m, const LidarSettings& settings, RandomStream& random) {
     const double noise = random.normal();
     if (random.uniform() < settings.drop_out_probability) {

@@ -30,7 +30,7 @@ bool inside(const Node& node) {
     return node.first >= 0 && node.second >= 0 && node.first < lattice_size && node.second < lattice_size;
 }
 
-/// A walk that meets no node twice, from the lattice's middle.
+/// A random walk from the middle of the lattice that visits no node twice.
 std::vector<Node> draw_walk(std::size_t length, RandomStream& random) {
     std::vector<Node> walk{{lattice_size / 2, lattice_size / 2}};
     std::set<Node> visited{walk.front()};
@@ -84,7 +84,7 @@ public:
     }
 
 private:
-    /// The two walls between the squares around both ends.
+    /// Adds the two side walls of a corridor. They leave out the squares around the nodes at both ends.
     void add_sides(const Point2& from, const Point2& to) {
         const double length_m = std::hypot(to.x_m - from.x_m, to.y_m - from.y_m);
         const Pose2 world_from_corridor{from.x_m, from.y_m, std::atan2(to.y_m - from.y_m, to.x_m - from.x_m)};

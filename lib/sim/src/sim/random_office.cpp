@@ -10,11 +10,11 @@ namespace {
 
 constexpr double door_width_m = 1.0;
 
-/// Rooms along one side of the corridor, which runs along x with its middle at y = 0.
+/// A room on one side of the corridor. The corridor runs along x, and its middle is at y = 0.
 struct Room {
     double left_m;
     double right_m;
-    double corridor_wall_m;  ///< y, signed: the side
+    double corridor_wall_m;  ///< y; the sign tells the side of the corridor
     double back_wall_m;      ///< y
     double door_m;           ///< x of the door's middle
 
@@ -35,7 +35,7 @@ std::vector<Room> draw_rooms(double length_m, double corridor_wall_m, RandomStre
     return rooms;
 }
 
-/// The right wall is the next room's left one, or the end of the row.
+/// Adds the walls of a room except the right one, which is the left wall of the next room or the end of the row.
 void add_walls(World& world, const Room& room) {
     const double near = room.corridor_wall_m;
     const double far = room.back_wall_m;
@@ -48,7 +48,8 @@ void close_row(World& world, const Room& last) {
     add_polyline(world, {{last.right_m, last.corridor_wall_m}, {last.right_m, last.back_wall_m}});
 }
 
-/// Boxes along the back wall and in the corners away from the door's line, which the robot drives.
+/// Adds a box at the back wall, and boxes in those corners at the corridor that are away from the line through the
+/// door, along which the robot drives.
 void furnish(World& world, const Room& room, RandomStream& random) {
     const double side = std::copysign(1.0, room.back_wall_m - room.corridor_wall_m);
     const double into_room_m = random.uniform(0.4, 0.8);

@@ -8,9 +8,10 @@
 namespace ddtool::sim {
 namespace {
 
+/// Least distance of the middle of a landmark from the route; for a wall, half its length is added.
 constexpr double route_margin_m = 1.5;
 
-/// A loop around the origin, every corner at its own distance.
+/// A loop around the origin, each corner at a random distance from it.
 Route draw_loop(double field_m, RandomStream& random) {
     const std::size_t corners = 5 + random.index(5);
     std::vector<Point2> points;

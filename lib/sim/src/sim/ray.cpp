@@ -5,7 +5,8 @@
 namespace ddtool::sim {
 namespace {
 
-/// Segments that share an end must leave no gap between them for a ray to slip through.
+/// Segments and arcs are longer by this at both ends (as a share of the segment's length, in radians for an arc), so
+/// that no ray passes between two of them that share an end.
 constexpr double end_slack = 1e-9;
 
 double cross(const Point2& a, const Point2& b) { return a.x_m * b.y_m - a.y_m * b.x_m; }

@@ -7,9 +7,10 @@
 namespace ddtool::sim {
 namespace {
 
-/// Cells are of 1 m, and larger in a world so wide that they would be more than this.
+/// Cells have a side of 1 m, or more if the world would otherwise need more cells than this.
 constexpr double most_cells = 1e6;
-/// Surfaces on the border between two cells belong to both, whatever the rounding.
+/// Surfaces are taken as larger by this, so that one on the border between two cells is listed in both in spite of
+/// rounding.
 constexpr double border_m = 1e-6;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
@@ -36,7 +37,8 @@ Box bounds(const Arc& arc) {
     return box;
 }
 
-/// Whether the surface may pass through the cell with this centre, given that its bounds do: never wrongly no.
+/// Whether the surface may pass through the cell with this centre, given that its bounding box does. The result may be
+/// true for a cell that the surface misses, which only costs time, but is never false for one that it touches.
 bool may_touch(const Segment& segment, const Point2& centre, double cell_m) {
     const double dx = segment.b.x_m - segment.a.x_m;
     const double dy = segment.b.y_m - segment.a.y_m;
@@ -51,7 +53,7 @@ bool may_touch(const Arc& arc, const Point2& centre, double cell_m) {
     return from_circle <= std::numbers::sqrt2 * (cell_m / 2.0 + border_m);
 }
 
-/// The way of one coordinate through the grid.
+/// The progress of a ray through the grid along one coordinate.
 struct Axis {
     Axis(double origin, double direction, long cell, double cell_m)
         : step(direction > 0.0 ? 1 : -1),
@@ -60,11 +62,11 @@ struct Axis {
                    ? infinity
                    : ((static_cast<double>(cell) + (direction > 0.0 ? 1.0 : 0.0)) * cell_m - origin) / direction) {}
     long step;
-    double per_cell;  ///< range between two borders
-    double next;      ///< range to the next border
+    double per_cell;  ///< difference of the ranges at two successive borders
+    double next;      ///< range at the next border
 };
 
-/// Range at which the ray comes into [0, size]; infinity if it never does.
+/// The range at which a coordinate of the ray enters [0, size]; infinity if it never does.
 double entry_range(double origin, double direction, double size) {
     if (origin >= 0.0 && origin <= size) {
         return 0.0;

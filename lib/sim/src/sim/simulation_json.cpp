@@ -8,10 +8,10 @@ namespace ddtool::sim {
 
 namespace {
 
-/// Nanoseconds of 64 bits reach to 9.2e18.
+/// Stamps are 64-bit nanoseconds, which reach up to 9.2e18.
 const Allowed start_ns = Allowed::whole(0.0, 4e18);
 
-constexpr double turn_rad = 6.28318531;  // not less than 2 pi as a double
+constexpr double turn_rad = 6.28318531;  // 2 pi, rounded up so that 2 pi itself is allowed
 
 std::string below(const std::string& path, const std::string& key) {
     return path.empty() ? key : std::string(path).append(".").append(key);
@@ -94,14 +94,15 @@ const SettingTable<DriveSettings>& drive_rows() {
     return rows;
 }
 
-/// The presets name where the values come from; each that is null is left to its preset.
+/// The settings of a group that has a preset: first the name of the preset, then the values. A value that is null is
+/// taken from the preset, and docs/simulator.md has the sources of the presets.
 std::vector<Setting> with_preset(const std::string& meaning, const std::vector<Setting>& rows) {
     std::vector<Setting> settings{{"preset", Allowed::text(), "", meaning, "docs/simulator.md", {}}};
     settings.insert(settings.end(), rows.begin(), rows.end());
     return settings;
 }
 
-/// A preset's name, and a null for every value that it sets.
+/// The name of a preset, and null for every value that it sets.
 Json preset_keys(const std::string& preset, const Json& values) {
     Json keys{{"preset", preset}};
     for (const auto& item : values.items()) {
@@ -110,7 +111,7 @@ Json preset_keys(const std::string& preset, const Json& values) {
     return keys;
 }
 
-/// The preset's values with those that the configuration gives in their place.
+/// The values of the preset, except those that the configuration gives.
 Json resolved(Json preset, const Json& configured) {
     for (const auto& [key, value] : configured.items()) {
         if (key != "preset" && !value.is_null()) {
@@ -120,7 +121,7 @@ Json resolved(Json preset, const Json& configured) {
     return preset;
 }
 
-/// What the table cannot say of one value alone.
+/// Throws UsageError unless `good`. For checks that the table cannot express, because they concern more than one value.
 void expect(bool good, const std::string& path, const std::string& key, const std::string& expected) {
     if (!good) {
         throw UsageError(below(path, key) + ": expected " + expected);

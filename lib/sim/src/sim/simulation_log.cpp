@@ -56,7 +56,7 @@ private:
         }
     }
 
-    /// With the mean velocity since the message before.
+    /// The velocity in the message is the mean velocity since the previous message.
     [[nodiscard]] RosOdometry odometry_at(std::size_t index) const {
         const StampedPose& now = odometry_[index];
         RosOdometry message = odometry_message(now.stamp_ns, odom_frame, robot_frame, now.pose);

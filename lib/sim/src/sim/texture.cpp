@@ -8,11 +8,13 @@
 namespace ddtool::sim {
 namespace {
 
+/// Shorter walls stay smooth.
 constexpr double shortest_wall_m = 2.0;
+/// Features keep this distance from the ends of a wall.
 constexpr double corner_margin_m = 0.5;
 constexpr std::size_t outline_points = 24;
 
-/// Something on a wall: how wide, and how far it stands out (negative: a recess).
+/// A feature of a wall: its width, and how far it stands out (negative for a recess).
 struct Feature {
     double width_m;
     double height_m;
@@ -29,12 +31,13 @@ Feature draw_feature(RandomStream& random) {
     return {random.uniform(0.2, 0.45), random.uniform(0.08, 0.15)};
 }
 
-/// The wall's frame: x along it from a, y towards the route.
+/// A wall and its frame: x runs along the wall from the first end; the route is on the side of positive or negative y.
 struct Wall {
     Pose2 world_from_wall;
     double length_m;
     double route_side;  ///< +1 or -1: the sign of y where the route is
 
+    // The point at along_m along the wall that is out_m in front of it, as seen from the route.
     [[nodiscard]] Point2 at(double along_m, double out_m) const {
         return world_from_wall * Point2{along_m, route_side * out_m};
     }

@@ -44,7 +44,7 @@ public:
         bias_rad_per_s_ = settings.gyro_bias_sd_rad_per_s * random.normal();
     }
 
-    /// What the odometry says of a true motion in the robot's frame.
+    /// The motion that the odometry reports for a true motion, both in the robot's frame.
     [[nodiscard]] Pose2 measure(const Pose2& motion, double duration_s, std::uint64_t step) const {
         RandomStream random({seed_, odometry_step, step});
         const double length_m = std::hypot(motion.x_m, motion.y_m);

@@ -67,7 +67,7 @@ double positive(const Json& json, const std::string& where) {
     return json.get<double>();
 }
 
-/// The item with the defaults of the keys that it leaves out.
+/// Returns the item, with the defaults in `known` for the keys that it leaves out.
 Json completed(Json known, const Json& item, const std::string& where) {
     merge_settings(known, item, where);
     return known;

@@ -13,7 +13,8 @@ namespace {
 constexpr double longer_side_px = 1600.0;
 constexpr double most_px_per_m = 60.0;
 constexpr double margin_m = 1.0;
-/// Pixel coordinates are handed to OpenCV with this many binary digits, so that slanted lines stay straight.
+/// OpenCV gets pixel coordinates as fixed-point numbers with this many binary digits after the point, so that slanted
+/// lines stay straight.
 constexpr int fraction_bits = 4;
 
 const cv::Scalar white(255, 255, 255);

@@ -23,7 +23,7 @@ void PositionMoments::add(const Pose2& at, double weight) {
 }
 
 double PositionMoments::freedom() const {
-    constexpr double least_share = 1e-9;  // of the weights; below, their rounding would be blown up
+    constexpr double least_share = 1e-9;  // share of the sum of the weights; a smaller difference is a rounding error
     const double freedom = weight_ - squared_weight_ / weight_;
     return freedom > least_share * weight_ ? freedom : 0.0;
 }

@@ -5,7 +5,7 @@
 namespace ddtool {
 
 MotionSigmas motion_sigmas(const Pose2& odometry_motion, const MotionNoise& noise) {
-    constexpr double side_share = 0.3;  // of the noise along the way that appears across it, in GMapping's model
+    constexpr double side_share = 0.3;  // share of the noise along the motion that also acts across it, as in GMapping
     const auto square = [](double value) { return value * value; };
     const double along = std::abs(odometry_motion.x_m);
     const double across = std::abs(odometry_motion.y_m);

@@ -8,7 +8,8 @@
 namespace ddtool {
 namespace {
 
-/// What a scan tells of the position when the heading has to be found from it as well: the Schur complement.
+/// The information about the position p if the heading t has to be estimated from the same scan, the Schur complement:
+///     I_pp - I_pt I_tp / I_tt.
 Eigen::Matrix2d of_position(const Eigen::Matrix3d& information) {
     Eigen::Matrix2d position = information.topLeftCorner<2, 2>();
     if (information(2, 2) > 0.0) {
@@ -17,7 +18,8 @@ Eigen::Matrix2d of_position(const Eigen::Matrix3d& information) {
     return position;
 }
 
-/// What is left of rounding in a direction about which a scan says nothing, relative to the other, counts as nothing.
+/// An eigenvalue of at most this share of the larger one is a rounding error: the scan does not constrain that
+/// direction.
 constexpr double least_share = 1e-12;
 
 double sd_of(double information, double largest) {

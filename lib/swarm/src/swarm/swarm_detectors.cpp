@@ -44,7 +44,7 @@ DegeneracyDetector oracle_detector(const MotionNoise& noise, std::shared_ptr<con
         }
         const PhysicalDegeneracy physics =
             physical_degeneracy(*information, motion_sigmas(swarm.odometry_motion, noise));
-        // Written so that an infinite sd gives 1.
+        // In this form an infinite weak_sd_m gives 1.
         return {1.0 / (1.0 + squared(physics.odometry_sd_m / physics.weak_sd_m))};
     };
 }

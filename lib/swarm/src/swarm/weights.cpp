@@ -52,7 +52,7 @@ std::vector<std::size_t> systematic_resampling(std::span<const double> weights, 
             chosen.push_back(particle);
         }
     }
-    while (chosen.size() < weights.size()) {  // rounding may leave the sum a little below one
+    while (chosen.size() < weights.size()) {  // by rounding, the sum of the weights may be slightly below 1
         chosen.push_back(last_with_weight);
     }
     return chosen;

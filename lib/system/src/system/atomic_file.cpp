@@ -13,7 +13,7 @@ namespace ddtool {
 namespace {
 
 std::string failure(const std::filesystem::path& path, const char* doing) {
-    // A stream may fail without a system call that did.
+    // errno is 0 if the stream failed for a reason other than a failed system call.
     return path.string() + ": cannot " + doing + (errno == 0 ? "" : std::string(": ") + std::strerror(errno));
 }
 
@@ -94,7 +94,7 @@ std::string read_file(const std::filesystem::path& path) {
     }
     std::ostringstream content;
     content << stream.rdbuf();
-    if (stream.bad() || errno != 0) {  // a folder opens, but cannot be read
+    if (stream.bad() || errno != 0) {  // opening a folder succeeds, but reading it fails
         throw Error(failure(path, "read"));
     }
     return std::move(content).str();

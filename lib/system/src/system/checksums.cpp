@@ -12,11 +12,11 @@
 namespace ddtool {
 namespace {
 
-/// Empty where the list does not name the file.
+/// The checksum that the list has for a file; empty if the list does not name the file.
 std::string listed_checksum(const std::string& list, const std::string& name) {
     std::istringstream lines(list);
     for (std::string sum, file; lines >> sum >> file;) {
-        if (file == name || file == "*" + name) {  // a star: read as binary
+        if (file == name || file == "*" + name) {  // sha256sum puts a star before files read as binary
             return sum;
         }
     }

@@ -8,7 +8,8 @@
 namespace ddtool {
 namespace {
 
-/// Those of OpenCV, of LibTorch and of oneTBB, whose threads want memory for their stacks.
+/// Parts of the messages by which OpenCV, LibTorch and oneTBB report a shortage of memory. oneTBB fails to start a
+/// thread, because there is no memory for its stack.
 constexpr std::array<std::string_view, 3> words_for_short_memory{"(-4:Insufficient memory)", "can't allocate memory",
                                                                  "pthread_create has failed"};
 

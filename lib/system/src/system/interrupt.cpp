@@ -8,7 +8,7 @@
 namespace ddtool {
 namespace {
 
-// Any thread may ask while the signal is handled in another, hence no std::sig_atomic_t.
+// Atomic rather than std::sig_atomic_t, because other threads read it while one thread handles the signal.
 std::atomic<bool> requested = false;
 static_assert(std::atomic<bool>::is_always_lock_free, "else a signal handler must not write it");
 
@@ -42,7 +42,7 @@ InterruptRequest::~InterruptRequest() {
 bool InterruptRequest::made() const { return requested; }
 
 void InterruptRequest::wait() const {
-    while (!made()) {  // a signal handler may wake no thread
+    while (!made()) {  // polls, because a signal handler must not notify a condition variable
         std::this_thread::sleep_for(std::chrono::milliseconds(50));
     }
 }

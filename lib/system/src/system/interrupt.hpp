@@ -2,8 +2,9 @@
 
 namespace ddtool {
 
-/// While one lives, the first Ctrl-C (SIGINT) or SIGTERM does not end the program but asks it to finish; the second
-/// ends it as usual. Where several live, as a training inside a longer work, all of them are asked.
+/// While an object of this class exists, the first Ctrl-C (SIGINT) or SIGTERM does not end the program but asks it to
+/// finish; the second one ends it as usual. If there are several objects, such as that of a training within a longer
+/// job, all of them report the request.
 class InterruptRequest {
 public:
     InterruptRequest();

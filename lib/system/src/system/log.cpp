@@ -37,7 +37,7 @@ std::unique_ptr<spdlog::logger> make_logger() {
     auto sink = std::make_shared<spdlog::sinks::stderr_color_sink_mt>(plain ? spdlog::color_mode::never
                                                                             : spdlog::color_mode::automatic);
     auto logger = std::make_unique<spdlog::logger>("ddtool", std::move(sink));
-    // On a terminal a progress line may stand where this one goes: wipe it first.
+    // On a terminal, a progress line may be in the way, so it is erased first.
     const std::string wipe = ::isatty(STDERR_FILENO) != 0 ? "\r\033[K" : "";
     logger->set_pattern(wipe + "ddtool: %^%l:%$ %v");
     return logger;
@@ -63,7 +63,7 @@ LogLevel log_level_named(const std::string& name) {
     throw UsageError("--log-level '" + name + "': expected debug, info, warning or error");
 }
 
-// "{}": a line may hold braces of its own.
+// The line is an argument, not the format, because it may contain braces.
 void log_debug(const std::string& line) { logger().debug("{}", line); }
 void log_info(const std::string& line) { logger().info("{}", line); }
 void log_warning(const std::string& line) { logger().warn("{}", line); }

@@ -5,8 +5,8 @@
 namespace ddtool {
 
 /// Diagnostics: each is one line on stderr, "ddtool: warning: ...", in colour on a terminal unless NO_COLOR is set
-/// (https://no-color.org). Results go to stdout instead, and whatever ends a command is an Error. The functions may be
-/// called from any thread.
+/// (https://no-color.org). Results go to stdout instead, and a failure that ends a command is thrown as an Error. The
+/// functions may be called from any thread.
 enum class LogLevel : int { debug, info, warning, error };
 
 /// Lines below `level` are dropped. The level at start is info.

@@ -44,7 +44,7 @@ MappedFile::MappedFile(const std::filesystem::path& path) {
         fail_to_map(path);
     }
     const auto size = static_cast<std::size_t>(status.st_size);
-    if (size == 0) {  // which the system refuses to map
+    if (size == 0) {  // mmap() fails for a length of 0
         return;
     }
     const void* start = ::mmap(nullptr, size, PROT_READ, MAP_SHARED, file.number(), 0);

@@ -11,7 +11,7 @@ namespace ddtool {
 namespace {
 
 constexpr std::string_view magic{"\x93NUMPY\x01\x00", 8};
-constexpr std::size_t preamble_bytes = magic.size() + 2;  // and the length of the text that follows
+constexpr std::size_t preamble_bytes = magic.size() + 2;  // two bytes for the length of the text that follows
 constexpr std::size_t alignment_bytes = 64;
 constexpr std::string_view shape_key = "'shape': (";
 
@@ -47,7 +47,7 @@ std::size_t rows_of(std::string_view text) {
     return rows;
 }
 
-/// The header's text without the padding, whose length NumPy's versions do not agree on.
+/// The text of the header without its padding, because versions of NumPy pad it to different lengths.
 std::string_view text_of(std::span<const std::byte> file, std::size_t text_bytes) {
     std::string_view text(reinterpret_cast<const char*>(file.data()) + preamble_bytes, text_bytes);
     text.remove_suffix(text.size() - (text.find_last_not_of(" \n") + 1));

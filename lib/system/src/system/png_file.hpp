@@ -9,7 +9,7 @@
 
 namespace ddtool {
 
-/// 8-bit pixels, row by row from the top, no padding: 1 channel grey, 3 BGR (OpenCV's order).
+/// 8-bit pixels, row by row from the top, without padding. One channel is grey, three are BGR (OpenCV's order).
 struct PixelView {
     std::size_t width_px = 0;
     std::size_t height_px = 0;
@@ -26,15 +26,15 @@ PixelView pixels_of(const Matrix& matrix) {
             .pixels = {matrix.data, matrix.total() * matrix.elemSize()}};
 }
 
-/// The bytes of a PNG file, made by libpng: OpenCV's own writer would pull a geographic library and 50 MB of memory
-/// into every command. Throws Error.
+/// Returns the bytes of a PNG file. Uses libpng, because OpenCV's writer would load a geographic library, and with it
+/// 50 MB of memory, into every command. Throws Error if the image cannot be encoded.
 std::string png_bytes(const PixelView& image);
 
-/// Writes them; beside and renamed. Throws Error naming the file.
+/// Writes a PNG file through AtomicFile. Throws Error naming the file.
 void write_png(const std::filesystem::path& path, const PixelView& image);
 
-/// Reads an 8-bit grey PNG of that size: its pixels row by row from the top. The size is asked for, so that a damaged
-/// header cannot ask for all memory. Throws Error naming the file and what it holds instead.
+/// Reads an 8-bit grey PNG of the given size and returns its pixels row by row from the top. The size has to be given
+/// so that a damaged header cannot claim all memory. Throws Error naming the file and what it contains instead.
 std::vector<std::uint8_t> read_grey_png(const std::filesystem::path& path, std::size_t width_px, std::size_t height_px);
 
 }  // namespace ddtool

@@ -29,7 +29,7 @@ std::uint64_t free_on_machine_bytes() {
     return unknown;
 }
 
-/// Of the container's control group, version 2 or 1.
+/// The memory limit of the container, from its control group of version 2 or 1; `unknown` if there is none.
 std::uint64_t allowed_to_container_bytes() {
     for (const char* path : {"/sys/fs/cgroup/memory.max", "/sys/fs/cgroup/memory/memory.limit_in_bytes"}) {
         std::uint64_t bytes = 0;

@@ -12,8 +12,8 @@ struct ProcessUsage {
 
 ProcessUsage process_usage();
 
-/// Memory that this process may still take before the system ends it: what the machine has free, or less where a
-/// container is allowed less. 0 where the system does not tell.
+/// The memory in bytes that this process may still take before the system ends it: what is free on the machine, or the
+/// limit of the container if that is less. Returns 0 if the system does not tell.
 std::uint64_t available_memory_bytes();
 
 /// Returns freed memory to the system at once; the C library would keep small pieces for later use. Call it after

@@ -8,7 +8,7 @@
 
 namespace ddtool {
 
-/// What is known of "first" and "count".
+/// The descriptions of the settings "first" and "count".
 const std::vector<Setting>& seed_range_setting_list();
 
 /// The seeds of {"first": F, "count": N}: F, F + 1, ..., F + N - 1. Throws UsageError naming `where` unless N is

@@ -12,7 +12,7 @@
 namespace ddtool {
 namespace {
 
-/// "0.0001", "1", "1000000"; "1e-12" and "4e+18" where zeros would have to be counted.
+/// A number as people write it: "0.0001", "1", "1000000", but "1e-12" and "4e+18" instead of many zeros.
 std::string bare(double number) {
     constexpr double smallest = 1e-5;
     constexpr double largest = 1e15;
@@ -34,7 +34,7 @@ std::string range_text(const Allowed& allowed) {
                                    : "from " + bare(allowed.least) + " to " + bare(allowed.most);
 }
 
-/// A choice may be to say nothing.
+/// Lists the words; an empty one appears as two quotation marks.
 std::string choices_text(const std::vector<std::string>& words) {
     std::vector<std::string> named(words);
     std::replace(named.begin(), named.end(), std::string(), std::string("\"\""));
@@ -140,7 +140,7 @@ const Json& setting_at(const Json& settings, std::string path) {
 std::vector<Setting> without(std::vector<Setting> settings, const std::string& key) {
     std::erase_if(settings, [&](const Setting& setting) { return setting.key == key; });
     for (Setting& setting : settings) {
-        if (setting.key.empty()) {  // a group whose settings stand beside those around it
+        if (setting.key.empty()) {  // a group whose settings are on the same level as those around it
             setting.group = without(std::move(setting.group), key);
         }
     }

@@ -20,7 +20,7 @@ struct Allowed {
         text,     ///< any text
         flag,     ///< true or false
         numbers,  ///< a list: empty, or `count` numbers, each from least to most
-        other,    ///< what the sentence of the setting says; whoever reads it checks it
+        other,    ///< described only by the setting's sentence; the code that reads it checks it
     };
     Kind kind = Kind::other;
     double least = 0.0;
@@ -29,7 +29,7 @@ struct Allowed {
     std::size_t count = 0;
 
     static Allowed whole(double least, double most) { return {Kind::whole, least, most, {}, 0}; }
-    /// Whole numbers of 64 bits from 0, as seeds are.
+    /// 64-bit whole numbers from 0 up, as seeds are.
     static Allowed seed();
     static Allowed number(double least, double most) { return {Kind::number, least, most, {}, 0}; }
     static Allowed one_of(std::vector<std::string> words) { return {Kind::word, 0.0, 0.0, std::move(words), 0}; }
@@ -41,35 +41,35 @@ struct Allowed {
     static Allowed other() { return {}; }
 };
 
-/// What is known of a setting beside its default: one row of the reference (docs/settings-reference.md).
+/// The description of a setting, without its default: one row of the reference (docs/settings-reference.md).
 struct Setting {
-    std::string key;  ///< empty for a group whose settings stand beside the others of its parent
+    std::string key;  ///< empty for a group whose settings are on the same level as those of its parent
     Allowed allowed;
     std::string unit;            ///< "m", "rad"; empty for a bare number
     std::string meaning;         ///< one whole sentence
     std::string source;          ///< the equation, paper or measurement that it comes from; may be empty
-    std::vector<Setting> group;  ///< of a group, which has a key and settings and nothing else
+    std::vector<Setting> group;  ///< the settings of a group; a group has a key and settings, and nothing else
 };
 
-/// "a number from 0.005 to 1 m".
+/// The allowed values as text: "a number from 0.005 to 1 m".
 std::string allowed_text(const Allowed& allowed, const std::string& unit);
 
-/// Throws UsageError, "KEY: expected a whole number from 1 to 1000, not 0", unless the value is allowed. NaN is not.
+/// Throws UsageError, "KEY: expected a whole number from 1 to 1000, not 0", unless the value is allowed. NaN never is.
 void expect_allowed(const Json& value, const Allowed& allowed, const std::string& unit, const std::string& key);
 
-/// The same for every setting of a JSON object; `path`, where it is not empty, stands before each key. Keys that no
-/// setting has are passed over: merge_settings() has refused them.
+/// The same for every setting of a JSON object. `path` is put before each key if it is not empty. Keys without a
+/// setting are ignored, because merge_settings() has already rejected them.
 void expect_allowed(const Json& json, const std::vector<Setting>& settings, const std::string& path);
 
-/// Every setting that is no group, with its path ("filter.grid.cell_size_m"), in order.
+/// Calls `visit` for every setting that is not a group, in order, with its path, such as "filter.grid.cell_size_m".
 void for_each_setting(const std::vector<Setting>& settings,
                       const std::function<void(const std::string& path, const Setting& setting)>& visit,
                       const std::string& path = "");
 
-/// The value at such a path. Throws Json::out_of_range where there is none.
+/// The value at such a path. Throws Json::out_of_range if there is none.
 const Json& setting_at(const Json& settings, std::string path);
 
-/// Without the setting of that key. Settings of named groups stay.
+/// The settings without the one of that key. Settings inside of groups that have a key are kept.
 std::vector<Setting> without(std::vector<Setting> settings, const std::string& key);
 
 template <typename Struct>
@@ -96,11 +96,11 @@ struct SettingRow {
               rows.read(name.empty() ? json : json.at(name), value.*member);
           }) {}
 
-    /// A member whose settings stand beside those of the struct.
+    /// A member that is a struct, whose settings are on the same level of the JSON as those of this struct.
     template <typename Member>
     SettingRow(Member Struct::*member, const SettingTable<Member>& rows) : SettingRow("", member, rows) {}
 
-    /// A setting that is written otherwise than its type.
+    /// A setting whose JSON has another form than its type.
     SettingRow(Setting described, std::function<void(Json&, const Struct&)> writer,
                std::function<void(const Json&, Struct&)> reader)
         : setting(std::move(described)), write(std::move(writer)), read(std::move(reader)) {}
@@ -110,8 +110,8 @@ struct SettingRow {
     std::function<void(const Json& json, Struct& value)> read;
 };
 
-/// The settings of a struct, a row each, in the order of their JSON. Everything that is said of a setting or done with
-/// it comes from its row: JSON and back, the check, listings and hints.
+/// The settings of a struct, one row for each, in the order of their JSON. All uses of a setting are derived from its
+/// row: writing and reading JSON, checking, listings and hints.
 template <typename Struct>
 class SettingTable {
 public:
@@ -129,7 +129,8 @@ public:
         return json;
     }
 
-    /// Throws UsageError naming the key, after `path` where that is not empty, for a value that is not allowed.
+    /// Reads the settings after checking them. Throws UsageError naming the key for a value that is not allowed, with
+    /// `path` before the key if it is not empty.
     [[nodiscard]] Struct checked(const Json& json, const std::string& path = "") const {
         expect_allowed(json, settings_, path);
         Struct value;
@@ -137,14 +138,14 @@ public:
         return value;
     }
 
-    /// Puts the settings into an object.
+    /// Writes the settings into a JSON object.
     void write(Json& json, const Struct& value) const {
         for (const SettingRow<Struct>& row : rows_) {
             row.write(json, value);
         }
     }
 
-    /// Takes the settings as they are, whatever is allowed.
+    /// Reads the settings without checking whether they are allowed.
     void read(const Json& json, Struct& value) const {
         for (const SettingRow<Struct>& row : rows_) {
             row.read(json, value);

@@ -33,7 +33,8 @@ void collect_paths(const Json& settings, const std::string& prefix, std::vector<
     }
 }
 
-/// Of all known paths, not only the siblings: the usual mistake beside a typo is the wrong group.
+/// Suggests similar ones of all known paths, not only of the same group, because besides typing errors the usual
+/// mistake is the wrong group.
 [[noreturn]] void fail_unknown(const Json& all, const std::string& path, const std::string& source) {
     std::vector<std::string> known;
     collect_paths(all, "", known);
@@ -67,7 +68,7 @@ std::string kind_of(const Json& known) {
 
 struct Merge {
     const std::string& source;
-    const Json& all;  ///< every known setting, for hints
+    const Json& all;  ///< all known settings, for hints in messages
 
     void operator()(Json& settings, const Json& changes, const std::string& prefix) const {
         for (const auto& [key, value] : changes.items()) {
@@ -83,7 +84,8 @@ struct Merge {
         if (known.is_object() && value.is_object()) {
             (*this)(known, value, path + ".");
         } else if (!known.is_object() && fits(known, value)) {
-            // A float stays one: "1" must not turn it into a whole number that then refuses 0.5.
+            // A setting that is a float stays one; otherwise "1" would turn it into a whole number that then rejects
+            // 0.5.
             known = known.is_number_float() ? Json(value.get<double>()) : value;
         } else {
             throw UsageError(source + ": setting '" + path + "' is " + value.dump() + ", expected " + kind_of(known) +
@@ -92,7 +94,7 @@ struct Merge {
     }
 };
 
-/// The value at a dotted path; null where there is none.
+/// The value at the path given by the keys; null if there is none.
 const Json* find_setting(const Json& settings, const std::vector<std::string>& keys) {
     const Json* found = &settings;
     for (const std::string& key : keys) {
@@ -151,7 +153,7 @@ std::string joined(const std::vector<std::string>& words) {
 
 std::vector<std::string> nearest_words(const std::string& word, const std::vector<std::string>& known) {
     const auto last_part = [](const std::string& path) { return path.substr(path.find_last_of('.') + 1); };
-    constexpr std::size_t longest = 100;  // nobody mistypes a longer one, and the time grows with it
+    constexpr std::size_t longest = 100;  // no real name is longer, and the time grows with the length
     const std::string start = word.substr(0, longest);
     using Distance = std::pair<std::size_t, std::size_t>;
     std::vector<std::pair<Distance, std::string>> nearest;

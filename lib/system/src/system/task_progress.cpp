@@ -17,7 +17,7 @@ void TaskProgress::finish(std::size_t task, const std::string& title, const std:
     set(task, 1.0);
     ++finished_;
     const double elapsed_s = std::chrono::duration<double>(Progress::Clock::now() - start_).count();
-    const double left_s = std::max(0.0, elapsed_s * (1.0 - fraction()) / fraction());  // the sum of shares is rounded
+    const double left_s = std::max(0.0, elapsed_s * (1.0 - fraction()) / fraction());  // fraction() may round above 1
     log_info(title + ": " + note + "; " + count() + ", " + format_duration(left_s) + " left");
 }
 

@@ -19,10 +19,9 @@ public:
 
     /// \param share the share of the task that is done, 0..1
     void update(std::size_t task, double share);
-    /// The task has ended well.
-    /// \param note the result of the task, for the log line
+    /// The task has succeeded.
     void finish(std::size_t task, const std::string& title, const std::string& note);
-    /// The task has ended with an error.
+    /// The task has failed.
     void fail(std::size_t task, const std::string& title, const std::string& reason);
 
 private:

@@ -9,7 +9,7 @@
 namespace ddtool::train {
 namespace {
 
-/// Mirrored about the x axis, then turned, about the origin.
+/// A transformation about the origin: mirroring at the x axis (if `mirrored`), and then a rotation.
 struct ChangeOfSide {
     double turn_rad = 0.0;
     bool mirrored = false;
@@ -20,7 +20,7 @@ struct ChangeOfSide {
     }
 };
 
-/// Mean of the positions that are finite; the origin without one.
+/// The mean of the finite positions, or the origin if there are none.
 Point2 middle_of(std::span<const SnapshotParticle> particles) {
     Point2 sum;
     double count = 0.0;
@@ -40,14 +40,15 @@ void change_side(std::span<SnapshotParticle> particles, const ChangeOfSide& chan
         const Pose2 moved =
             change({particle.pose.x_m - middle.x_m, particle.pose.y_m - middle.y_m, particle.pose.theta_rad});
         particle.pose = {middle.x_m + moved.x_m, middle.y_m + moved.y_m, moved.theta_rad};
-        // The robot's previous frame is turned with the rest, so the motion's own turn stays what it was.
+        // The robot's previous frame is rotated, too, so the rotation within the motion does not change.
         for (Pose2* motion : {&particle.matched_motion, &particle.predicted_motion}) {
             *motion = change(*motion) * to_previous;
         }
     }
 }
 
-/// Log-uniform over the whole numbers from least to most: each has the share log(1 + 1 / number).
+/// A number from least to most, drawn so that its logarithm is distributed uniformly: each number n has a probability
+/// in proportion to log(1 + 1 / n).
 std::size_t drawn_count(std::size_t least, std::size_t most, RandomStream& random) {
     const auto low = static_cast<double>(least);
     const double ratio = static_cast<double>(most + 1) / low;

@@ -9,9 +9,9 @@
 
 namespace ddtool::train {
 
-/// The same swarm seen from another side, or with fewer particles: poses and motions turned about the swarm's middle
-/// and the robot's previous pose, mirrored, thinned to a number of particles drawn evenly in its logarithm between
-/// least_particles and all. What the label is made from does not change.
+/// Changes a swarm as if it were seen from another side, or had fewer particles. Poses are rotated about the swarm's
+/// centre and motions about the robot's previous pose, and both may be mirrored. The number of particles is drawn
+/// between least_particles and all, evenly in its logarithm. The label does not depend on any of this.
 void augment(std::vector<SnapshotParticle>& particles, const AugmentationSettings& settings, RandomStream& random);
 
 }  // namespace ddtool::train

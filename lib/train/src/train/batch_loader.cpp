@@ -18,7 +18,7 @@
 namespace ddtool::train {
 namespace {
 
-/// Makes batches, one after the other.
+/// Makes the batches, one after the other.
 class BatchMaker {
 public:
     BatchMaker(const dataset::Dataset& data, const EpochPlan& plan, const TrainSettings& settings,
@@ -73,7 +73,8 @@ private:
 
 }  // namespace
 
-/// The thread and a ring of batches: it fills one while others wait to be taken, and their memory goes round.
+/// The thread and a ring of batches. The thread fills one batch while others wait to be taken. Taking a batch swaps it
+/// with the caller's, so that memory is used again.
 class BatchLoader::Worker {
 public:
     Worker(BatchMaker maker, std::vector<std::vector<std::size_t>> batches, std::size_t first_step)
@@ -119,7 +120,7 @@ private:
                 return;
             }
             Batch& batch = ring_[made_ % ring_.size()];
-            lock.unlock();  // nobody else touches a batch that is not made yet
+            lock.unlock();  // no other thread accesses a batch before it is counted as made
             maker_.make(batches_[step_], batch);
             lock.lock();
             ++made_;
@@ -137,7 +138,8 @@ private:
     std::size_t taken_ = 0;
     bool finished_ = false;
     std::exception_ptr failure_;
-    std::jthread thread_;  ///< last, so that it ends before what it uses
+    /// the last member, so that it is destroyed, and the thread joined, before the members that the thread uses
+    std::jthread thread_;
 };
 
 BatchLoader::BatchLoader(const dataset::Dataset& data, EpochPlan plan, const TrainSettings& settings,

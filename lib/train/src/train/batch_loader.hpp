@@ -10,18 +10,18 @@
 
 namespace ddtool::train {
 
-/// Images of one batch and their classes.
+/// The images of one batch and their classes.
 struct Batch {
     std::size_t size_px = 0;
     std::vector<float> images;          ///< count images of size_px * size_px, 0 or 1, rows from the top
     std::vector<std::int64_t> classes;  ///< 0 not degenerate, 1 degenerate
 };
 
-/// Makes the batches of one epoch on a thread of its own, a few ahead, so that rendering runs beside the compute. What
-/// is in a batch depends on seed, epoch and sample alone.
+/// Makes the batches of one epoch on a thread of its own, a few batches ahead, so that images are rendered while the
+/// network computes. The content of a batch depends only on the seed, the epoch and the samples.
 class BatchLoader {
 public:
-    /// From step `first_step` of the epoch on. augmentation: null for none (validation).
+    /// Begins at step `first_step` of the epoch. augmentation: null for none, as in validation.
     BatchLoader(const dataset::Dataset& data, EpochPlan plan, const TrainSettings& settings,
                 const AugmentationSettings* augmentation, std::size_t first_step = 0);
     ~BatchLoader();

@@ -10,7 +10,7 @@
 
 namespace ddtool::train {
 
-/// Second key of a training's random streams, so that one purpose's draws do not shift another's.
+/// The second key of a training's random streams. It keeps the draws for one purpose independent of the others.
 enum RandomPurpose : std::uint64_t {
     order_of_samples = 1,  ///< further key: epoch
     augmentation = 2,      ///< further keys: epoch, sample

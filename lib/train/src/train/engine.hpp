@@ -15,9 +15,9 @@ struct TrainRequest {
     std::filesystem::path data;  ///< folder of a data set
     std::filesystem::path out;   ///< folder for checkpoints and metrics
     TrainSettings settings;
-    std::string device = "cpu";            ///< cpu or cuda
-    std::size_t threads = 0;               ///< of the compute; 0: all cores
-    bool resume = false;                   ///< go on from out/last.pt; without one, start
+    std::string device = "cpu";  ///< cpu or cuda
+    std::size_t threads = 0;     ///< threads for the computation; 0 stands for all cores
+    bool resume = false;  ///< continues from out/last.pt; if there is none, the training starts from the beginning
     double checkpoint_interval_s = 300.0;  ///< last.pt is written at least this often, and after every epoch
 };
 
@@ -25,7 +25,7 @@ struct TrainResult {
     std::filesystem::path best;  ///< checkpoint
     EpochRecord best_epoch;
     std::size_t epochs = 0;
-    bool interrupted = false;  ///< asked to stop; last.pt can be resumed
+    bool interrupted = false;  ///< the training was asked to stop, and last.pt can be resumed
     bool leads = true;         ///< false on the ranks of a distributed training that write nothing
 };
 
@@ -35,13 +35,14 @@ struct RunOptions {
     std::size_t threads = 1;
 };
 
-/// Where the plain weights of the exported model go.
+/// The path to which the plain weights of the exported model are written.
 inline std::filesystem::path plain_weights_beside(std::filesystem::path model) {
     return model.replace_extension(".safetensors");
 }
 
-/// All that needs LibTorch. LibTorch costs half a second and 160 MB at a program's start, which commands that do
-/// without it should not pay; so it stands in a program of its own, ddtool-torch (docs/architecture.md).
+/// Everything that needs LibTorch. Loading LibTorch costs half a second and 160 MB when a program starts, which
+/// commands without networks should not pay. Therefore it is in a program of its own, ddtool-torch
+/// (docs/architecture.md).
 class Engine {
 public:
     virtual ~Engine() = default;
@@ -51,12 +52,12 @@ public:
     /// Writes the checkpoint's network as TorchScript, with its description inside, and its plain weights to
     /// plain_weights_beside(out) (docs/formats/model.md).
     virtual void export_model(const std::filesystem::path& checkpoint, const std::filesystem::path& out) const = 0;
-    /// An exported model, or a checkpoint. Throws Error naming the file and what is wrong with it.
+    /// Loads an exported model or a checkpoint. Throws Error naming the file and what is wrong with it.
     [[nodiscard]] virtual std::unique_ptr<DegreeModel> load(const std::filesystem::path& file,
                                                             const RunOptions& options) const = 0;
 };
 
-/// Where the engine comes from; main says so. It may start another program in the place of this one.
+/// Provides the engine; main() sets it. It may start another program in place of this one.
 using EngineProvider = const Engine& (*)();
 void set_engine_provider(EngineProvider provider);
 

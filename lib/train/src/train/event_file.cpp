@@ -17,7 +17,8 @@ void append_little_endian(std::string& bytes, std::unsigned_integral auto number
     }
 }
 
-/// TFRecord's: the CRC of bytes that hold a CRC is hard to tell from one of other bytes.
+/// The masked CRC of the TFRecord format. Masking is useful where the data contain CRCs themselves, because computing a
+/// CRC of bytes with a CRC among them is problematic.
 std::uint32_t masked_crc(std::string_view bytes) {
     return std::rotr(crc32c_of(std::as_bytes(std::span(bytes))), 15) + 0xa282ead8U;
 }

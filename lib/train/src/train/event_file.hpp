@@ -9,7 +9,7 @@
 
 namespace ddtool::train {
 
-/// What TensorBoard shows of one step.
+/// The values of one step that TensorBoard shows.
 struct StepScalars {
     double wall_time_s = 0.0;  ///< since 1970
     std::int64_t step = 0;
@@ -20,8 +20,8 @@ struct StepScalars {
 /// (https://www.tensorflow.org/tutorials/load_data/tfrecord, "TFRecords format details").
 std::string event_file_of(std::span<const StepScalars> steps);
 
-/// Writes such a file. One that holds the first of these steps already is lengthened, so that a TensorBoard that has it
-/// open goes on reading; any other is replaced. Throws Error naming the file.
+/// Writes such a file. If it exists and begins with the first of these steps, the others are appended, so that a
+/// TensorBoard that has it open can go on reading; otherwise it is replaced. Throws Error naming the file.
 void write_event_file(const std::filesystem::path& path, std::span<const StepScalars> steps);
 
 }  // namespace ddtool::train

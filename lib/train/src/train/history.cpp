@@ -12,7 +12,7 @@
 namespace ddtool::train {
 namespace {
 
-/// A curve over the epochs. Those of a group share a picture, and in TensorBoard a section.
+/// A curve over the epochs. The curves of one group share a panel of the picture and a section in TensorBoard.
 struct Curve {
     std::size_t group;
     const char* name;
@@ -71,7 +71,8 @@ void draw_curves(const std::filesystem::path& file, const std::vector<EpochRecor
             .title(groups[curve.group])
             .x_label("epoch")
             .line(numbers, values, {.label = curve.name, .colour = colour})
-            .scatter(numbers, values, {.label = "", .colour = colour});  // a line of one epoch would not be seen
+            // also draws points, because the line of a single epoch would not be visible
+            .scatter(numbers, values, {.label = "", .colour = colour});
     }
     figure.write_png(file);
 }

@@ -11,9 +11,9 @@ namespace {
 
 constexpr std::uint64_t most_processes = 1U << 20U;
 constexpr std::uint64_t highest_port = std::numeric_limits<std::uint16_t>::max();
-constexpr const char* usual_port = "29500";  ///< PyTorch's
+constexpr const char* usual_port = "29500";  ///< the default of PyTorch
 
-/// Names of what a launcher tells each of its processes.
+/// The environment variables through which a launcher tells each process its place.
 struct Launcher {
     const char* name;
     const char* rank;
@@ -22,8 +22,8 @@ struct Launcher {
 };
 constexpr Launcher torchrun{"torchrun", "RANK", "WORLD_SIZE", "LOCAL_RANK"};
 constexpr Launcher open_mpi{"Open MPI", "OMPI_COMM_WORLD_RANK", "OMPI_COMM_WORLD_SIZE", "OMPI_COMM_WORLD_LOCAL_RANK"};
-/// Not SLURM_NTASKS: a batch script and an interactive shell have it too, with a SLURM_PROCID of 0, though they are one
-/// process. The step's variables are srun's alone.
+/// The number of processes is not read from SLURM_NTASKS: it is also set in a batch script and in an interactive shell
+/// (with a SLURM_PROCID of 0), although each of these is one process. Only srun sets the variables of a step.
 constexpr Launcher slurm{"Slurm", "SLURM_PROCID", "SLURM_STEP_NUM_TASKS", "SLURM_LOCALID"};
 
 [[noreturn]] void throw_unexpected(const std::string& variable, const std::string& expected, const std::string& value) {
@@ -39,7 +39,7 @@ std::uint64_t number_in(const std::string& variable, const std::string& text, st
     return number;
 }
 
-/// The environment as one launcher has set it.
+/// Reads the environment variables that one launcher has set.
 class Launch {
 public:
     Launch(const Launcher& launcher, const Environment& environment) : launcher_(launcher), environment_(environment) {}
@@ -57,7 +57,7 @@ public:
         return number_in(variable, text(variable), least, most);
     }
 
-    /// None for a process alone.
+    /// The process group, or nothing if this is the only process.
     [[nodiscard]] std::optional<ProcessGroup> group() const {
         ProcessGroup group;
         group.rank.world_size = number(launcher_.world_size, 1, most_processes);
@@ -85,7 +85,8 @@ std::optional<ProcessGroup> torchrun_group(const Environment& environment) {
     return group;
 }
 
-/// mpirun says where its processes are, but not by an address that all can reach; on one machine any does.
+/// mpirun does not tell its processes an address that all of them can reach. On one machine the loopback address will
+/// do; otherwise MASTER_ADDR must be set.
 std::optional<ProcessGroup> open_mpi_group(const Environment& environment) {
     const Launch launch(open_mpi, environment);
     std::optional<ProcessGroup> group = launch.group();
@@ -99,7 +100,7 @@ std::optional<ProcessGroup> open_mpi_group(const Environment& environment) {
     return group;
 }
 
-/// A port for each job, so that two jobs on one machine do not meet.
+/// A port that depends on the job's number, so that two jobs on one machine do not use the same port.
 std::uint16_t port_of_job(const Launch& launch) {
     constexpr std::uint64_t first = 20'000;
     constexpr std::uint64_t ports = 10'000;

@@ -10,7 +10,8 @@
 namespace ddtool::train {
 namespace {
 
-/// A rank's piece of a global batch; the pieces lie in the order of the ranks and differ by one sample at most.
+/// The part of a global batch that belongs to a rank. The parts lie in the order of the ranks, and their sizes differ
+/// by at most one sample.
 std::vector<std::size_t> piece_of(std::span<const std::size_t> global_batch, const Rank& rank) {
     const std::size_t first = global_batch.size() * rank.rank / rank.world_size;
     const std::size_t end = global_batch.size() * (rank.rank + 1) / rank.world_size;

@@ -11,10 +11,10 @@
 
 namespace ddtool::train {
 
-/// Changes of a swarm that keep its label (docs/training.md).
+/// Random changes of a swarm that do not change its label (docs/training.md).
 struct AugmentationSettings {
     bool rotate = true;              ///< by any angle
-    bool flip = true;                ///< mirrored, every other time
+    bool flip = true;                ///< mirrored with probability 1/2
     bool resample_particles = true;  ///< a random choice of fewer particles
     std::size_t least_particles = 15;
 };
@@ -23,7 +23,8 @@ struct OptimizerSettings {
     std::string name = "adam";  ///< adam, rmsprop or adamw
     double learning_rate = 1e-3;
     double weight_decay = 1e-4;
-    double warm_up_share = 0.05;  ///< of all steps: the rate rises linearly, then falls as half a cosine
+    /// the share of all steps in which the learning rate rises linearly; it then falls as half a cosine
+    double warm_up_share = 0.05;
     double final_rate_share = 0.01;
     double largest_gradient_norm = 1.0;  ///< longer gradients are scaled down to this norm
 };
@@ -50,15 +51,15 @@ void from_json(const Json& json, TrainSettings& settings);
 /// The description of every setting, in the order of the settings in JSON.
 const std::vector<Setting>& train_setting_list();
 
-/// From a configuration. Throws UsageError naming the setting, after `path` where that is not empty, for a value that
-/// makes no sense. The model's name is checked by its makers.
+/// Reads a configuration. Throws UsageError for an invalid value, naming the setting, with `path` in front if that is
+/// not empty. The model's name is checked where the network is made.
 TrainSettings train_settings_from_json(const Json& json, const std::string& path = "");
 
 /// The label rule and the split that the settings name. Both functions throw UsageError for an unknown name.
 dataset::LabelRule label_rule_of(const TrainSettings& settings);
 dataset::Split split_of(const TrainSettings& settings);
 
-/// The same check of settings that are read already.
+/// Checks settings that have been read already in the same way.
 void expect_valid(const TrainSettings& settings);
 
 }  // namespace ddtool::train

@@ -19,7 +19,8 @@ struct LossSums {
 };
 DDTOOL_JSON_STRUCT(LossSums, loss, correct, count, seconds)
 
-/// Where a training stands between two steps, tensors apart: with the tensors, all that the rest of it depends on.
+/// The state of a training between two steps, without the tensors. Together with the tensors it decides all that
+/// follows.
 struct TrainingState {
     TrainSettings settings;
     std::string dataset;  ///< fingerprint of the manifest

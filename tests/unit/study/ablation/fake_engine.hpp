@@ -11,7 +11,7 @@
 
 namespace ddtool::ablation::test {
 
-/// Not a network: the share of marked pixels, above or below what its settings' seed says.
+/// Stands in for a network. Its degree for every image is 0.9 if the seed in its settings is 1, and 0.1 otherwise.
 class BrightnessModel : public DegreeModel {
 public:
     explicit BrightnessModel(const train::TrainSettings& settings) {
@@ -36,7 +36,7 @@ private:
     ModelDescription description_;
 };
 
-/// "Trains" by writing the settings down, which is all that its models need.
+/// "Trains" a network by writing down its settings, which is all that BrightnessModel needs.
 class FakeEngine : public train::Engine {
 public:
     [[nodiscard]] std::vector<std::string> networks() const override { return {"bright"}; }

@@ -22,7 +22,7 @@ protected:
         const Experiment experiment = experiment_from_json(settings_);
         return summaries_of(experiment, cells_of(experiment), test::run_in(folder_ / "out", settings_).results);
     }
-    /// What our filter did, as if another program had: by the files of a run without the peer.
+    /// Copies the trajectories of our filter from a run without the peer, as if another program had written them.
     void copy_filter_runs(std::size_t seeds) const {
         for (const Cell& cell : cells_of(experiment_from_json(settings_))) {
             if (cell.contestant == 1 && cell.seed < seeds) {
@@ -49,7 +49,7 @@ TEST_F(ExternalTrajectoriesTest, ScoresAsTheSameTrajectoryOfOurOwn) {
 TEST_F(ExternalTrajectoriesTest, IsScoredAnewWhenItsFilesChange) {
     test::run_in(folder_ / "out", settings_);
     copy_filter_runs(1);
-    EXPECT_EQ(test::run_in(folder_ / "out", settings_).computed, 3U);  // two are still missing
+    EXPECT_EQ(test::run_in(folder_ / "out", settings_).computed, 3U);  // two trajectories are still missing
     EXPECT_EQ(test::run_in(folder_ / "out", settings_).computed, 2U);
     std::filesystem::copy_file(folder_ / "peer-tiny-1.tum", folder_ / "peer-tiny-2.tum");
     EXPECT_EQ(test::run_in(folder_ / "out", settings_).computed, 2U);

@@ -12,7 +12,7 @@
 namespace ddtool::compare {
 namespace {
 
-/// ATE of the estimator's trajectory over a drive of which every scan's information passes through `seen`.
+/// The ATE of the estimator over a drive. `seen` may change the information of every scan before the estimator gets it.
 template <typename Seen>
 double ate_m(const Seen& seen) {
     const ddtool::test::TemporaryFolder folder;

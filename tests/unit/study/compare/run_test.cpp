@@ -27,7 +27,7 @@ protected:
 
 TEST_F(RunTest, GivesTheSameReportOnOneThreadAndOnTwo) {
     const Json on_one = report("one", 1);
-    EXPECT_EQ(on_one["rows"].size(), 6U);  // three errors, two methods
+    EXPECT_EQ(on_one["rows"].size(), 6U);  // three kinds of error for two methods
     EXPECT_THAT(on_one["failures"], IsEmpty());
     EXPECT_EQ(on_one.dump(), report("two", 2).dump());
 }

@@ -10,7 +10,7 @@
 namespace ddtool::compare {
 namespace {
 
-/// Two methods on two worlds, with ATEs given by a function; a negative one is a failed run.
+/// The results of two methods in two worlds, with ATEs given by a function. A negative ATE stands for a failed run.
 struct Made {
     Experiment experiment;
     std::vector<Cell> cells;
@@ -54,10 +54,11 @@ double better_on_second_world(std::size_t world, std::size_t method, std::size_t
 TEST(Summary, PairsOverSeedsAndCorrectsForTheNumberOfTests) {
     const Made all = made(10, better_on_second_world);
     const std::vector<Summary> summaries = summaries_of(all);
-    ASSERT_EQ(summaries.size(), 4U);  // the other errors are in no run
+    ASSERT_EQ(summaries.size(), 4U);  // one per method and world, because the runs have only one kind of error
     EXPECT_FALSE(summaries[0].against_baseline);
     EXPECT_DOUBLE_EQ(summaries[3].against_baseline->p_value, std::exp2(-9));
-    EXPECT_DOUBLE_EQ(summaries[3].holm_p_value, std::exp2(-8));  // the smaller of two
+    // Holm's correction multiplies the smaller of the two p-values by 2
+    EXPECT_DOUBLE_EQ(summaries[3].holm_p_value, std::exp2(-8));
     EXPECT_LT(summaries[3].against_baseline->median_difference, 0.0);
 }
 

@@ -9,7 +9,7 @@
 
 namespace ddtool::compare::test {
 
-/// Odometry and a filter of two particles on that world, with a lidar of few beams.
+/// The settings that compare odometry with a filter of two particles in this world, with a lidar of few beams.
 inline Json tiny_settings(const std::string& world_file) {
     Json settings = default_experiment_json();
     merge_settings(settings,

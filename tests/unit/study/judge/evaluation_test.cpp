@@ -16,7 +16,7 @@ using ddtool::test::KnownDataset;
 
 double width_m(Particles swarm) { return spread_m(swarm, &SnapshotParticle::matched_motion); }
 
-/// Says that with this confidence; a narrow swarm is one below 3 cm.
+/// A detector that decides by the swarm's width, with this confidence. A swarm narrower than 3 cm is not degenerate.
 Detector confident(double confidence) {
     Detector detector;
     detector.name = "width";
@@ -54,7 +54,8 @@ TEST(Evaluate, AgreesWithThePhysicsWhereTheScoreFollowsIt) {
     const dataset::Dataset& data = known.data();
     Detector detector = confident(0.9);
     detector.is_degree = false;
-    std::size_t next = 0;  // scores are asked for the unlabelled samples last: those of the log, in order
+    // counts the scores: those of the unlabelled samples, which come from the log, are asked for last and in order
+    std::size_t next = 0;
     const Evaluation plain = evaluate(data, detector, {});
     EXPECT_FALSE(plain.calibration);
     detector.score = one_by_one([&](Particles /*swarm*/) { return static_cast<double>(next++); });

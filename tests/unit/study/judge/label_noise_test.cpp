@@ -19,7 +19,7 @@ using dataset::LabelRule;
 constexpr std::size_t runs = 5;
 constexpr std::size_t moments = 200;
 
-/// Runs of one world, sample after sample at about the same times, with the labels of the two rules.
+/// Several runs in one world, whose samples have about the same times, with the labels of the two rules.
 class RepeatedRuns {
 public:
     using LabelAt = std::function<bool(std::size_t run, std::size_t moment)>;
@@ -79,7 +79,8 @@ TEST(LabelNoise, OneRunThatAlwaysSaysOtherwiseDisagreesWithAll) {
     const RepeatedRuns repeated(
         of_place, [](std::size_t run, std::size_t moment) { return of_place(run, moment) != (run == 2); });
     const LabelNoise noise = noise_of(repeated, LabelRule::fisher);
-    // Of 20 ordered pairs of runs, 8 have the odd one; the majority is wrong for it alone.
+    // Of the 20 ordered pairs of different runs, 8 contain the run whose labels differ. The majority of the others is
+    // wrong for this run only.
     EXPECT_NEAR(noise.balanced_disagreement, 8.0 / 20.0, 1e-9);
     EXPECT_NEAR(noise.majority_accuracy, 4.0 / 5.0, 1e-9);
 }

@@ -20,7 +20,7 @@ double truth(const Eigen::VectorXd& features) {
     return 1.0 / (1.0 + std::exp(-(0.5 + 1.5 * features[0] - 2.0 * features[1])));
 }
 
-/// Classes drawn with those probabilities; the third feature tells nothing.
+/// Classes that are drawn with known probabilities. The third feature has no influence on them.
 Sampled drawn(Eigen::Index count) {
     RandomStream random({3});
     Sampled sampled{Eigen::MatrixXd(count, 3), {}};

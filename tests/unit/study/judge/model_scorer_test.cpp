@@ -10,7 +10,7 @@
 namespace ddtool::judge {
 namespace {
 
-/// Not a network: the share of marked pixels.
+/// Stands in for a network. Its degree is the share of marked pixels.
 class BrightnessModel : public DegreeModel {
 public:
     BrightnessModel() {

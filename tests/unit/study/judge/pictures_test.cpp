@@ -24,7 +24,7 @@ TEST(DrawEvaluations, DrawsEveryPictureAlsoWithoutThresholds) {
             EXPECT_GT(std::filesystem::file_size(into / name), 100U) << name;
         }
     }
-    // The regression is wrong on the test part, so its mistakes fill more than the titles.
+    // The regression is wrong on the test part, so its picture of mistakes contains more than titles.
     EXPECT_GT(std::filesystem::file_size(folder / "fisher/mistakes.png"),
               std::filesystem::file_size(folder / "dispersion/mistakes.png"));
 }

@@ -12,7 +12,7 @@ namespace {
 
 using ddtool::test::KnownDataset;
 
-/// A network's evaluation with that many of ten test samples right.
+/// The evaluation of a network that is right for `right` of ten test samples.
 Evaluation model(std::uint64_t seed, const std::string& family, std::uint64_t right) {
     Evaluation evaluation;
     evaluation.detector.name = "net";
@@ -58,7 +58,7 @@ TEST(Report, HasEveryDetectorInEveryPart) {
     EXPECT_EQ(json.at("calibration").size(), 1U);
     EXPECT_EQ(json.at("reliability").size(), reliability_bin_count);
     EXPECT_TRUE(json.at("seeds").empty());
-    // by scene 1, lidar 1, odometry 1, method 1, update distance 1, particles 2
+    // one group by scene, lidar, odometry, method and update distance each, and two by the number of particles
     EXPECT_EQ(json.at("groups").size(), 7 * evaluations.size());
 }
 

@@ -12,6 +12,7 @@
 namespace ddtool {
 namespace {
 
+/// Limit on the memory for the index of a bag. What lies beyond it is not read.
 constexpr std::uint64_t max_index_bytes = std::uint64_t{64} << 20;
 
 struct BagRecord {
@@ -24,7 +25,8 @@ BagRecord take_bag_record(McapFieldReader& fields) {
     return {header, fields.take_bytes(fields.take<std::uint32_t>())};
 }
 
-/// The topic is the record's: the data have the publisher's own name for it.
+/// The topic is taken from the header of the record, because the data contain the name under which the publisher
+/// advertised it, which may be another.
 McapChannel channel_of(const BagFields& header, std::span<const std::byte> data) {
     const BagFields description(data);
     McapChannel channel;
@@ -96,7 +98,7 @@ void BagReader::read_index() {
         for (BagRecord record = take_bag_record(fields);; record = take_bag_record(fields)) {
             interpret(BagFields(record.header), record.data);
         }
-    } catch (const Error&) {  // NOLINT(bugprone-empty-catch): the index ends here, or is damaged, too
+    } catch (const Error&) {  // NOLINT(bugprone-empty-catch): the index ends here, or it is damaged as well
     }
 }
 

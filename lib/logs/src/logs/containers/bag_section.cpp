@@ -14,7 +14,7 @@ namespace ddtool {
 namespace {
 
 constexpr std::string_view magic = "#ROSBAG V2.0\n";
-/// The reader's own limits.
+/// Limits of this reader, not of the format. A larger size is taken for damage.
 constexpr std::uint32_t max_header_bytes = 1U << 20U;
 constexpr std::uint32_t max_chunk_bytes = 1U << 30U;
 

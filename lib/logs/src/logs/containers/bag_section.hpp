@@ -50,7 +50,7 @@ private:
     ByteSource source_;
     LogProblemHandler on_problem_;
     std::vector<std::byte> header_;  ///< of the record being read
-    std::vector<std::byte> stored_;  ///< its data, where they are held
+    std::vector<std::byte> stored_;  ///< the data of that record, if they are held in memory
     std::vector<std::byte> decompressed_;
     std::uint64_t offset_ = 0;  ///< of the record being read
     std::uint64_t index_offset_ = 0;

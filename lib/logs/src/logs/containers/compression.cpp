@@ -15,7 +15,8 @@ namespace {
 
 constexpr std::size_t first_buffer_bytes = std::size_t{64} << 10;
 
-/// One step of a decoder: how much it took and gave, and what it calls an error.
+/// The result of one step of a decoder: the bytes that it consumed and produced, and its error message, or an empty
+/// text.
 struct Step {
     std::size_t taken = 0;
     std::size_t given = 0;
@@ -92,7 +93,7 @@ public:
         if (ended_) {
             return {};
         }
-        // The library does not write to its input, but its interface is older than const.
+        // The library does not write to its input, but its interface does not use const.
         stream_->next_in = const_cast<char*>(reinterpret_cast<const char*>(in.data()));  // NOLINT(*-const-cast)
         stream_->avail_in = bzip2_size(in.size());
         stream_->next_out = reinterpret_cast<char*>(out.data());
@@ -110,11 +111,12 @@ private:
             delete stream;
         }
     };
-    std::unique_ptr<bz_stream, Free> stream_{new bz_stream{}};  // on the heap: bzip2 remembers its address
+    std::unique_ptr<bz_stream, Free> stream_{new bz_stream{}};  // on the heap, because bzip2 keeps its address
     bool ended_ = false;
 };
 
-/// Room after the first `used` bytes, at most up to `limit`; doubles the buffer when there is none.
+/// Returns the free part of the buffer after the first `used` bytes, limited to `limit` bytes in all. If there is none,
+/// the buffer is doubled first.
 std::span<std::byte> room(std::vector<std::byte>& buffer, std::size_t used, std::size_t limit) {
     if (used == buffer.size()) {
         buffer.resize(std::min(limit, std::max(first_buffer_bytes, 2 * buffer.size())));
@@ -130,7 +132,7 @@ std::string size_failure(std::uint64_t size, std::uint64_t expected_size) {
 template <typename Decoder>
 Decompressed decoded_by(Decoder decoder, std::span<const std::byte> in, std::uint64_t expected_size,
                         std::vector<std::byte>& buffer) {
-    // One byte more than expected, so that an input which gives too much is seen to do so.
+    // One byte more than expected, so that an output that is too long is noticed.
     const auto limit = static_cast<std::size_t>(expected_size) + 1;
     std::size_t used = 0;
     std::string failure;
@@ -174,7 +176,7 @@ std::vector<std::byte> compress_zstd(std::span<const std::byte> records) {
 }
 
 std::vector<std::byte> compress_bzip2(std::span<const std::byte> records) {
-    // "To guarantee that the compressed data will fit in its buffer": 1 % and 600 bytes more (bzip2's manual, 3.5.1).
+    // Large enough for any input, according to bzip2's manual, section 3.5.1: 1 % and 600 bytes more than the input.
     std::vector<std::byte> compressed(records.size() + records.size() / 100 + 600);
     unsigned size = bzip2_size(compressed.size());
     auto* const in = const_cast<char*>(reinterpret_cast<const char*>(records.data()));  // NOLINT(*-const-cast)

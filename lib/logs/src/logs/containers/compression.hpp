@@ -17,7 +17,7 @@ std::vector<std::byte> compress(Compression compression, std::span<const std::by
 /// What came out of decompress().
 struct Decompressed {
     std::span<const std::byte> records;  ///< in the buffer, or in the input if it was not compressed
-    std::string failure;                 ///< empty when `records` is all that was expected
+    std::string failure;                 ///< empty if `records` is all that was expected
 };
 
 /// Undoes compress(). On a failure, `records` holds what was decoded before it; for an input that was cut off this is

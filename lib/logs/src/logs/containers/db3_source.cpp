@@ -13,7 +13,7 @@ namespace {
 
 constexpr int wait_for_lock_ms = 5000;
 
-/// As SQLite's documentation of URI file names has it.
+/// Escapes a path for a URI file name of SQLite (https://www.sqlite.org/uri.html).
 std::string escaped(const std::string& path) {
     std::string text;
     for (const char c : path) {
@@ -28,8 +28,8 @@ std::string escaped(const std::string& path) {
     return text;
 }
 
-/// A database in WAL mode cannot be opened in a folder that is read only, unless it is declared to be immutable: which
-/// it may be where no journal waits beside it.
+/// A database in WAL mode can be opened in a read-only folder only if it is declared to be immutable. This is allowed
+/// if there is no journal beside it.
 std::string read_only_uri(const std::filesystem::path& path) {
     const bool has_journal = std::filesystem::exists(path.string() + "-wal");
     return "file:" + escaped(std::filesystem::absolute(path).string()) + (has_journal ? "?mode=ro" : "?immutable=1");

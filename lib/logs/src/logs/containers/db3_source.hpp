@@ -42,7 +42,7 @@ private:
     std::string name_;
     LogProblemHandler on_problem_;
     std::unique_ptr<sqlite3, Close> database_;
-    Statement messages_;  // finalised before its database is closed
+    Statement messages_;  // declared after database_, so that it is finalised before the database is closed
     std::map<std::int64_t, McapChannel> channels_;
     std::set<std::int64_t> undefined_;
     std::int64_t row_ = 0;

@@ -21,7 +21,7 @@ namespace {
 constexpr int wait_ms = 50;
 constexpr std::size_t live_buffer_bytes = 1 << 16;
 
-/// Waits a little, so that a read does not block for long.
+/// Waits for input, but only up to wait_ms, so that a read does not block for long. Returns whether there is any.
 bool readable(int descriptor) {
     pollfd request{descriptor, POLLIN, 0};
     return ::poll(&request, 1, wait_ms) > 0;
@@ -64,7 +64,7 @@ LiveBuffer::int_type LiveBuffer::underflow() {
             return traits_type::to_int_type(bytes_.front());
         }
         if (count < 0 && errno != EINTR && errno != EAGAIN) {
-            throw std::ios_base::failure("cannot read");  // the stream that uses this becomes bad
+            throw std::ios_base::failure("cannot read");  // sets badbit in the stream that reads from this
         }
         if (count == 0 && !grows_) {
             break;

@@ -51,7 +51,8 @@ public:
 private:
     template <typename Take, typename Interpret>
     std::optional<McapMessage> step(Section& section, const Take& take, const Interpret& interpret) {
-        // Nothing is left unless the record is seen to end: one that does not loses all after it.
+        // The remaining bytes are put back only after the record has been taken to its end. If that fails, all bytes
+        // after its start are lost.
         const auto before = std::exchange(records_.bytes, {});
         try {
             McapFieldReader fields(before);

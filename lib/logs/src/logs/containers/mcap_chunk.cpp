@@ -20,7 +20,7 @@ Compression take_compression(McapFieldReader& fields) {
     return *compression;
 }
 
-/// The compressed records; a chunk that is cut off has fewer than it says.
+/// Takes the compressed records. In a chunk that is cut off there are fewer bytes than it declares.
 std::span<const std::byte> take_records(McapFieldReader& fields, bool cut_off) {
     const auto size = fields.take<std::uint64_t>();
     return fields.take_bytes(cut_off ? std::min<std::uint64_t>(size, fields.rest().size()) : size);

@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t data_end_bytes = 4;
 constexpr std::size_t footer_bytes = 20;
 
-/// 0, which stands for "not available", where the file ends before it.
+/// Reads a CRC. Returns 0, which stands for "not available", if the file ends before it.
 std::uint32_t read_crc(ByteSource& source) {
     std::array<std::byte, sizeof(std::uint32_t)> bytes{};
     const bool whole = source.read(bytes) == bytes.size();

@@ -29,7 +29,7 @@ void McapDefinitions::add_schema(std::span<const std::byte> record) {
     schema.name = fields.take_string();
     schema.encoding = fields.take_string();
     schema.data = text_of(fields.take_bytes(fields.take<std::uint32_t>()));
-    if (schema.id != 0) {  // "invalid and should be ignored by readers"
+    if (schema.id != 0) {  // the specification: a schema with id 0 is invalid, and readers should ignore it
         add(schemas_, std::move(schema), "schema");
     }
 }

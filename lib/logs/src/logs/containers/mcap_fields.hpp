@@ -17,7 +17,7 @@ namespace ddtool {
 
 static_assert(std::endian::native == std::endian::little, "MCAP's integers are copied as they lie in memory");
 
-/// Bytes as text that holds the same.
+/// The same bytes as text.
 inline std::string text_of(std::span<const std::byte> bytes) {
     return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
@@ -37,7 +37,7 @@ public:
     std::string take_string();
     std::map<std::string, std::string> take_string_map();
     std::span<const std::byte> take_bytes(std::uint64_t count);
-    /// What has not been taken yet.
+    /// The bytes that have not been taken yet.
     [[nodiscard]] std::span<const std::byte> rest() const { return rest_; }
 
 private:

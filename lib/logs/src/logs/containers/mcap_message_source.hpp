@@ -9,7 +9,7 @@
 
 namespace ddtool {
 
-/// The messages of MCAP.
+/// The messages of an MCAP file as a MessageSource.
 class McapMessageSource : public MessageSource {
 public:
     McapMessageSource(const std::filesystem::path& path, LogProblemHandler on_problem)

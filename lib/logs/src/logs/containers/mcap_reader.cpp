@@ -42,7 +42,7 @@ std::optional<McapMessage> McapReader::interpret(McapOpcode opcode, std::span<co
             break;
         case McapOpcode::message:
             return message_of(content);
-        default:  // what the specification may add, and private records
+        default:  // record types that later versions of the specification add, and private ones
             break;
     }
     return std::nullopt;

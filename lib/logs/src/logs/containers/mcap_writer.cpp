@@ -98,15 +98,15 @@ McapFieldWriter McapWriter::statistics() const {
         .put(messages)
         .put(static_cast<std::uint16_t>(schema_ids_.size()))
         .put(static_cast<std::uint32_t>(message_counts_.size()))
-        .put(std::uint32_t{0})  // attachments
-        .put(std::uint32_t{0})  // metadata
+        .put(std::uint32_t{0})  // number of attachments
+        .put(std::uint32_t{0})  // number of metadata records
         .put(chunk_count_)
         .put(times_.first())
         .put(times_.last())
         .put_array(counts.bytes());
 }
 
-/// The summary, the offsets of its groups, and the footer.
+/// Writes the summary section, the offsets of its groups, and the footer.
 void McapWriter::write_summary() {
     McapFieldWriter statistics_record;
     statistics_record.put_record(McapOpcode::statistics, statistics());
@@ -130,7 +130,7 @@ void McapWriter::write_summary() {
     }
     const std::uint64_t offsets_start = output_.offset();
     output_.put(offsets.bytes());
-    // The CRC covers the footer up to the CRC itself.
+    // The CRC of the summary also covers the footer, up to the CRC itself.
     McapFieldWriter footer;
     footer.put_record_header(McapOpcode::footer, 2 * sizeof(std::uint64_t) + sizeof(std::uint32_t));
     output_.put(footer.put(summary_start).put(offsets_start).bytes());

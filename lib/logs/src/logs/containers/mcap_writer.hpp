@@ -54,7 +54,7 @@ private:
     std::vector<std::uint32_t> message_counts_;        ///< by channel id, from 1
     McapTimeSpan times_;
     std::uint32_t chunk_count_ = 0;
-    McapFieldWriter schemas_;  ///< records, for the summary, as are these:
+    McapFieldWriter schemas_;  ///< records for the summary, as in the next two
     McapFieldWriter channels_;
     McapFieldWriter chunk_indexes_;
 };

@@ -14,8 +14,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Before version 4 of the metadata, paths began with the folder's own name. A file that was compressed as a whole may
-/// have been unpacked by hand.
+/// The path of a storage file that the metadata list. Before version 4 of the metadata, paths began with the name of
+/// the folder itself. If a file was compressed as a whole, somebody may have decompressed it, so that the name has lost
+/// its last extension.
 fs::path storage_file(const fs::path& folder, const std::string& name) {
     const fs::path path = fs::path(name).lexically_normal();
     if (path.empty() || path.is_absolute() || *path.begin() == "..") {
@@ -23,7 +24,7 @@ fs::path storage_file(const fs::path& folder, const std::string& name) {
                     "', which lies outside of the folder; expected a file in it");
     }
     for (const fs::path& known : {path, path.filename(), path.parent_path() / path.stem()}) {
-        std::error_code unusable;  // such as a name too long for the file system: opening it says so
+        std::error_code unusable;  // for example a name that is too long; opening the file gives the error
         if (fs::exists(folder / known, unusable)) {
             return folder / known;
         }
@@ -42,7 +43,7 @@ std::vector<std::string> names_in(const fs::path& metadata) {
     }
 }
 
-/// NAME_2 before NAME_10.
+/// Orders files by their number: NAME_2 before NAME_10.
 bool recorded_before(const fs::path& a, const fs::path& b) {
     const std::string name_a = a.filename().string();
     const std::string name_b = b.filename().string();

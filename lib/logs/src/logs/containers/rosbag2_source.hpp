@@ -32,7 +32,7 @@ private:
     LogProblemHandler on_problem_;
     OpenFile open_;
     std::vector<std::filesystem::path> files_;
-    std::size_t opened_ = 0;  ///< or given up
+    std::size_t opened_ = 0;  ///< number of files that were opened or skipped
     std::unique_ptr<MessageSource> current_;
 };
 

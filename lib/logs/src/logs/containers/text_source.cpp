@@ -57,7 +57,7 @@ LogProblem damage(const std::filesystem::path& path, const std::string& format, 
             offset, size - std::min(offset, size)};
 }
 
-/// Plain and gzip files: zlib passes plain content through.
+/// Reads plain and gzip files; zlib passes plain content through unchanged.
 class GzipSource : public TextSource {
 public:
     GzipSource(const std::filesystem::path& path, LogProblemHandler on_problem)
@@ -99,7 +99,7 @@ private:
     bool ended_ = false;
 };
 
-/// One or more bzip2 streams in a row, as bzip2 and pbzip2 write them.
+/// Reads one or more bzip2 streams in a row, as bzip2 and pbzip2 write them.
 class Bzip2Source : public TextSource {
 public:
     Bzip2Source(const std::filesystem::path& path, LogProblemHandler on_problem)
@@ -166,7 +166,7 @@ private:
     LogProblemHandler on_problem_;
     std::uintmax_t size_;
     File file_;
-    std::unique_ptr<BZFILE, CloseBzip2> stream_;  // closed before its file
+    std::unique_ptr<BZFILE, CloseBzip2> stream_;  // declared after file_, so that it is closed first
 };
 
 bool is_bzip2(const std::filesystem::path& path) {

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::uint64_t max_message_bytes = std::uint64_t{1} << 30;
 
-/// No CDR encapsulation header begins like this.
+/// Whether a message begins with the magic number of a zstd frame. No CDR encapsulation header begins like this.
 bool is_zstd_frame(std::span<const std::byte> data) {
     constexpr std::array magic{std::byte{0x28}, std::byte{0xB5}, std::byte{0x2F}, std::byte{0xFD}};
     return data.size() > magic.size() && std::ranges::equal(data.first(magic.size()), magic);
@@ -35,7 +35,7 @@ std::optional<McapMessage> ZstdMessages::next() {
 }
 
 bool ZstdMessages::unpack(McapMessage& message) {
-    // Where the size is not stated these are huge numbers.
+    // If the frame does not state the size, or is damaged, this is a huge number (ZSTD_CONTENTSIZE_UNKNOWN or _ERROR).
     const std::uint64_t size = ZSTD_getFrameContentSize(message.data.data(), message.data.size());
     Decompressed unpacked{{}, "its size is not stated, or is more than " + std::to_string(max_message_bytes)};
     if (size <= max_message_bytes) {

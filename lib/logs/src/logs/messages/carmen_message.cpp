@@ -13,7 +13,7 @@ namespace {
 
 constexpr double rad_per_degree = std::numbers::pi / 180.0;
 
-/// Words of one line, taken as numbers. After the first that is missing or wrong, ok() is false.
+/// Reads the words of one line as numbers. As soon as a word is missing or invalid, ok() becomes false and stays so.
 class Fields {
 public:
     explicit Fields(std::string_view words) : words_(words) {}
@@ -32,7 +32,8 @@ public:
         ok_ = ok_ && std::abs(x) < farthest_m && std::abs(y) < farthest_m;
         return {x, y, number()};
     }
-    /// A count of values that this line can hold, each being at least two characters.
+    /// Reads a count of values that follow in the same line. A value takes at least two characters with its separator,
+    /// so a count that the line cannot hold is invalid.
     std::size_t count() {
         const double value = number();
         const std::size_t most = words_.size() / 2;
@@ -81,7 +82,8 @@ void set_flaser_angles(LaserScan& scan) {
     scan.angle_increment_rad = -2.0 * scan.angle_min_rad / static_cast<double>(view.intervals);
 }
 
-/// The end that every message has. The host's name is asked for so that a line cut off in its time does not pass.
+/// Reads the end that every message has. The name of the host is required, because a line that is cut off within the
+/// time before it must not be accepted.
 std::optional<CarmenScan> finish(Fields& fields, CarmenScan message) {
     message.scan.stamp_ns = fields.stamp();
     fields.skip_word();

@@ -34,7 +34,7 @@ private:
         cdr_.serialize(value);
     }
     void write(const std::string& text) {
-        align(sizeof(std::uint32_t));  // its length
+        align(sizeof(std::uint32_t));  // the length, which precedes the text
         cdr_.serialize(text);
     }
     void write(const RosTime& time) {
@@ -60,7 +60,8 @@ private:
             cdr_.serializeArray(values.data(), values.size());
         }
     }
-    /// fast-cdr skips padding and leaves there what the memory held; the same message must give the same bytes.
+    /// Writes padding. fast-cdr itself skips these bytes and leaves in them what the memory held, but the same message
+    /// must always give the same bytes.
     void align(std::size_t size) {
         constexpr std::size_t encapsulation_bytes = 4;
         while ((cdr_.getSerializedDataLength() - encapsulation_bytes) % size != 0) {
@@ -72,10 +73,10 @@ private:
     Cdr cdr_;
 };
 
-/// Throws fast-cdr's exceptions at the end of the data.
+/// Reads the fields of a message. Throws fast-cdr's exceptions if the data end too early.
 class CdrReader {
 public:
-    /// fast-cdr takes no const buffer, but only reads from this one.
+    /// The cast is safe: fast-cdr has no buffer of const bytes, but does not write to this one.
     explicit CdrReader(std::span<const std::byte> data)
         : buffer_(const_cast<char*>(reinterpret_cast<const char*>(data.data())),  // NOLINT(*-const-cast)
                   data.size()),
@@ -96,7 +97,8 @@ private:
         time.ns = seconds * ns_per_s + nanoseconds;
     }
     void read(std::array<double, 36>& values) { cdr_.deserializeArray(values.data(), values.size()); }
-    /// Element by element, or only after a look at what is left: the count may be a lie.
+    /// The count may be damaged and huge. Numbers are therefore read only if the remaining bytes suffice for them, and
+    /// other elements are read one by one.
     template <typename Value>
     void read(std::vector<Value>& values) {
         std::uint32_t count = 0;

@@ -12,7 +12,7 @@ namespace {
 
 using nlohmann::json;
 
-/// Of a number without fraction, which JSON may write as 1e9; the greatest of all for what does not fit.
+/// Reads a whole number, which JSON may also write as 1e9. For a number that does not fit, returns the largest one.
 std::int64_t whole(const json& number) {
     constexpr double limit = 9e15;
     const auto value = number.get<double>();
@@ -65,7 +65,8 @@ ScanReading scan(const json& message) {
     return reading;
 }
 
-/// What `read` makes of the document; none where that is no JSON, or lacks a member or has it of another type.
+/// Returns what `read` returns for the parsed document. Nullopt if the bytes are not JSON, or if a member is missing or
+/// has another type.
 template <typename Read>
 auto read_json(std::span<const std::byte> data, Read read) -> std::optional<decltype(read(json()))> {
     const auto* text = reinterpret_cast<const char*>(data.data());

@@ -37,7 +37,7 @@ MessageKind find_kind(std::span<const KnownType> types, std::string_view name) {
     return found == types.end() ? MessageKind::other : found->kind;
 }
 
-/// ROS 2 names types package/msg/Type, ROS 1 package/Type.
+/// Turns the name of a ROS 2 type, package/msg/Type, into that of ROS 1, package/Type.
 std::string without_msg(std::string name) {
     constexpr std::string_view infix = "/msg/";
     const std::size_t at = name.find(infix);

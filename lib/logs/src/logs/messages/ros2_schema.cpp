@@ -8,7 +8,7 @@ namespace ddtool {
 namespace {
 
 struct Definition {
-    std::string_view type;  ///< as fields name it: package/Type
+    std::string_view type;  ///< in the form that field definitions use: package/Type
     std::string_view text;
 };
 
@@ -62,7 +62,7 @@ std::string_view definition_of(std::string_view type) {
     return found == definitions.end() ? std::string_view{} : found->text;
 }
 
-/// Adds the type, then depth first those of its fields that are messages and not yet there.
+/// Adds a type, and then, depth first, the types of its fields that are messages and not in the list yet.
 void collect(std::string_view type, std::vector<std::string_view>& types) {
     std::string_view text = definition_of(type);
     if (text.empty() || std::find(types.begin(), types.end(), type) != types.end()) {

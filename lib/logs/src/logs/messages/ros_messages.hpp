@@ -10,7 +10,7 @@
 /// codecs: fields(message, archive) calls archive(field, ...). Lengths are metres, angles radians.
 namespace ddtool {
 
-/// Seconds and nanoseconds on the wire.
+/// Serialised as seconds and nanoseconds.
 struct RosTime {
     std::int64_t ns = 0;
 };

@@ -149,7 +149,8 @@ void CarmenStream::take_parameter(std::string_view words) {
     }
 }
 
-/// FLASER's first pose is no source of the mounting: in corrected logs it is the corrected pose.
+/// The poses of FLASER do not give the mounting of the laser, because in corrected logs the first of them is the
+/// corrected pose.
 Pose2 CarmenStream::robot_from_laser(const CarmenScan& message) const {
     if (options_.laser_pose) {
         return *options_.laser_pose;

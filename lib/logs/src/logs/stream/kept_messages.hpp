@@ -28,7 +28,7 @@ private:
 
     std::unique_ptr<MessageSource> source_;
     std::deque<Kept> kept_;
-    std::vector<std::byte> given_;  ///< of the last that was given again
+    std::vector<std::byte> given_;  ///< the data of the message that was returned again last
     bool keeping_ = true;
 };
 

@@ -18,7 +18,7 @@ double largest_reading_m(const LaserScan& scan) {
     return largest;
 }
 
-/// Foxglove's messages state no limits, and some drivers leave them out.
+/// Completes the limits of the range. Foxglove's messages have none, and some drivers leave them out.
 void complete_limits(LaserScan& scan) {
     if (!(scan.range_min_m >= 0.0)) {
         scan.range_min_m = 0.0;

@@ -16,7 +16,7 @@
 namespace ddtool {
 namespace {
 
-/// Of a topic: a damaged log may name a new one in every message.
+/// Limit on the frames that are listed for a topic, because in a damaged log every message may name another one.
 constexpr std::size_t max_frames = 64;
 
 using CountedTopics = std::map<std::string, TopicInventory>;
@@ -39,7 +39,8 @@ std::vector<std::string> frames_of(const McapMessage& message, MessageKind kind)
     return frames;
 }
 
-/// Transforms of many frames share a topic; elsewhere the first message speaks for all.
+/// Notes the frames of a message. Transforms of many frames share a topic, so each message is examined; on other topics
+/// the first message is enough.
 void note_frames(TopicInventory& topic, const McapMessage& message) {
     const MessageKind kind = kind_of(*message.channel);
     if (topic.messages > 1 && (kind != MessageKind::transforms || topic.frames.size() >= max_frames)) {
@@ -64,7 +65,7 @@ CountedTopics count_messages(MessageSource& source, const std::function<void(dou
     return topics;
 }
 
-/// Every line of a CARMEN log ends with the ipc time, the host and the logger's time.
+/// The ipc time of a line. Every line of a CARMEN log ends with the ipc time, the host and the logger's time.
 std::optional<std::int64_t> ipc_time_ns(std::string_view words) {
     std::array<std::string_view, 3> last;
     for (std::string_view word = next_word(words); !word.empty(); word = next_word(words)) {
@@ -87,7 +88,7 @@ CountedTopics count_lines(LineReader& lines, const std::function<void(double)>& 
     return topics;
 }
 
-/// The parameters of a CARMEN log have no time but 0.
+/// Whether the times of a topic are known. The parameters in a CARMEN log have the time 0.
 bool is_timed(const TopicInventory& topic) { return topic.first_ns != 0 || topic.last_ns != 0; }
 
 }  // namespace

@@ -55,7 +55,7 @@ public:
 private:
     void assume(const std::string& text) { plan_.assumptions.push_back(file_ + ": " + text); }
 
-    /// The shortest name is the plainest: /scan before /scan_filtered.
+    /// Chooses the topic with the shortest name: /scan rather than /scan_filtered.
     const TopicSurvey& plainest(const Topics& topics, const std::string& what) {
         const auto shorter = [](const TopicSurvey& a, const TopicSurvey& b) { return a.topic.size() < b.topic.size(); };
         const TopicSurvey& chosen = *std::min_element(topics.begin(), topics.end(), shorter);
@@ -145,8 +145,9 @@ private:
         return true;
     }
 
-    /// Odometry is the transform into the frame named odom, or into the root, of the frame below on the way to the
-    /// laser.
+    /// Takes the odometry from transforms: odom_from_robot, where odom is the frame that has such a name, or otherwise
+    /// the root, and robot is the frame directly below it on the way to the laser. Returns false if odom would be the
+    /// laser's own frame.
     bool use_transforms(const TopicSurvey& topic) {
         const std::vector<std::string> frames = survey_.transforms.with_ancestors(scan_.frame_id);
         const auto named = std::find_if(frames.begin(), frames.end(), names_odometry);
@@ -176,8 +177,8 @@ private:
         plan_.robot_from_laser = mounting ? *mounting : guess_mounting();
     }
 
-    /// Without a way from the odometry's frame to the laser: the laser's highest known parent below odom or map is the
-    /// robot.
+    /// For logs whose transforms do not connect the odometry's frame with the laser. Takes the laser's highest known
+    /// ancestor below odom or map for the robot.
     Eigen::Isometry3d guess_mounting() {
         std::vector<std::string> frames = survey_.transforms.with_ancestors(scan_.frame_id);
         const auto fixed = std::find_if(frames.begin() + 1, frames.end(), names_fixed_frame);

@@ -33,7 +33,7 @@ MessageLogStream::MessageLogStream(const OpenSource& open, Opening opening, std:
 }
 
 void MessageLogStream::survey(const OpenSource& open, const LogOptions& options) {
-    const auto survey_source = open([](const LogProblem&) {});  // the second reading reports
+    const auto survey_source = open([](const LogProblem&) {});  // problems are reported at the second reading
     plan_ = plan_log(survey_log(*survey_source, options), options, file_);
     source_ = open([this](const LogProblem& problem) { report(problem); });
 }

@@ -46,7 +46,7 @@ public:
 private:
     struct WaitingScan {
         SensorFrame frame;
-        std::optional<Eigen::Matrix3d> information;  ///< the simulator's, where it has come
+        std::optional<Eigen::Matrix3d> information;  ///< from the simulator, if it has arrived
         bool has_odometry = false;
         bool has_ground_truth = false;
         bool has_information = false;

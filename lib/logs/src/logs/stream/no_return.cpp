@@ -12,7 +12,7 @@ constexpr float neighbourhood_m = 1.0F;
 
 using Iterator = std::vector<float>::const_iterator;
 
-/// The longest stretch of equal values of a sorted range.
+/// The longest run of equal values in a sorted range.
 std::pair<Iterator, Iterator> longest_run(Iterator begin, Iterator end) {
     std::pair<Iterator, Iterator> longest{begin, begin};
     while (begin != end) {

@@ -6,7 +6,8 @@
 namespace ddtool {
 namespace {
 
-/// Exact, and defined for stamps that a damaged log puts centuries apart.
+/// The time from `from_ns` to a stamp that is not earlier. Computed without signs, because the stamps of a damaged log
+/// may differ by more than a signed 64-bit number can hold.
 double elapsed_ns(std::int64_t from_ns, std::int64_t to_ns) {
     return static_cast<double>(static_cast<std::uint64_t>(to_ns) - static_cast<std::uint64_t>(from_ns));
 }

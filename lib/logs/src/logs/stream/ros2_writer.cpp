@@ -3,8 +3,9 @@
 namespace ddtool {
 namespace {
 
-/// How `ros2 bag play` is to offer a topic, in the words of rosbag2; MCAP's profile "ros2" asks for it. Reliable; those
-/// who come late get the last message of a topic that keeps it, as they must of static transforms.
+/// The quality of service with which `ros2 bag play` offers a topic, in the notation of rosbag2, as MCAP's profile
+/// "ros2" requires. Delivery is reliable. If keeps_last is true, a subscriber that joins late gets the last message,
+/// which is necessary for static transforms.
 std::string offered_qos(bool keeps_last) {
     const std::string infinite = ":\n    sec: 9223372036\n    nsec: 854775807\n";
     return "- history: 1\n  depth: " + std::string(keeps_last ? "1" : "10") +

@@ -8,13 +8,13 @@ namespace ddtool {
 /// separated by anything that is not a letter or a digit: "/robot/ground_truth/odom" has the words robot, ground,
 /// truth, odom.
 
-/// Has the words "ground truth", or "groundtruth" or "gt".
+/// Whether the name has the words "ground truth", or the word "groundtruth" or "gt".
 bool names_ground_truth(const std::string& name);
-/// Has a word that begins with "odom".
+/// Whether the name has a word that begins with "odom".
 bool names_odometry(const std::string& name);
-/// Has the word "static".
+/// Whether the name has the word "static".
 bool names_static(const std::string& name);
-/// A frame that does not move with the robot: odom, map, world or earth.
+/// Whether the name is that of a frame that does not move with the robot: odom, map, world or earth.
 bool names_fixed_frame(const std::string& name);
 
 }  // namespace ddtool

@@ -17,7 +17,7 @@ std::optional<Eigen::Isometry3d> TransformTree::find(const std::string& target, 
 
 std::vector<std::string> TransformTree::with_ancestors(const std::string& frame) const {
     std::vector<std::string> frames{frame};
-    // Damaged logs may hold a loop.
+    // The limit on the length ends the search if the frames of a damaged log form a loop.
     for (auto up = parents_.find(frame); up != parents_.end() && frames.size() <= parents_.size();
          up = parents_.find(frames.back())) {
         frames.push_back(up->second.frame_id);

@@ -15,9 +15,10 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::size_t uncounted = 10;  ///< a network's first runs allocate and compile
+/// the first runs of a network allocate memory and compile code, so their times do not count
+constexpr std::size_t uncounted = 10;
 
-/// A file of this process, removed at the end.
+/// A temporary file that belongs to this process and is removed at the end.
 class ScratchFile {
 public:
     ScratchFile()
@@ -35,7 +36,7 @@ private:
     std::filesystem::path path_;
 };
 
-/// Draws the image into `pixels`, or has it come through the file.
+/// Draws the image into `pixels`. If `file` is not null, the image is written to that file and read back.
 void make_image(ParticleRenderer& renderer, judge::Particles swarm, const ScratchFile* file, std::span<float> pixels) {
     if (file == nullptr) {
         renderer.render(swarm, pixels);

@@ -23,7 +23,7 @@ constexpr const char* model_name = "/model.pt";
 Json json_of(const TrainedModel& model) { return {{"confusion", model.confusion}, {"auc", model.auc}}; }
 
 TrainedModel model_from(const Json& json, const std::filesystem::path& file) {
-    const Json& auc = json.at("auc");  // NaN, which JSON writes as null, for a part of one class
+    const Json& auc = json.at("auc");  // null stands for NaN, the AUC of a part that has one class only
     return {file, json.at("confusion").get<Confusion>(),
             auc.is_null() ? std::numeric_limits<double>::quiet_NaN() : auc.get<double>()};
 }

@@ -9,15 +9,16 @@ namespace {
 
 const Allowed timed_samples = Allowed::whole(1, 1e6);
 
-/// Every setting of a training but the seed.
+/// Every setting of a training except the seed.
 Json default_training() {
-    const train::TrainSettings defaults;  // a temporary makes GCC 12 warn of one that is not initialised
+    // a named object, because GCC 12 warns that a temporary might be used uninitialised
+    const train::TrainSettings defaults;
     Json json = defaults;
     json.erase("seed");
     return json;
 }
 
-/// NaN for null, which is a dash in the paper's table.
+/// The number, or NaN for null. null stands for a dash in the paper's table.
 double figure(const Json& json, const std::string& where) {
     if (!json.is_null() && !json.is_number()) {
         throw UsageError(where + ": expected a number or null, not " + json.dump());

@@ -17,7 +17,7 @@ std::string note_of(const TrainedModel& model) {
     return text.data();
 }
 
-/// A job for each row and seed, row by row.
+/// One job for each seed of each row, in the order of the rows.
 std::vector<jobs::Job<TrainedModel>> trainings_of(const Plan& plan, const ModelStore& store) {
     std::vector<jobs::Job<TrainedModel>> all;
     for (const Row& row : plan.rows) {
@@ -64,7 +64,7 @@ TimingResult run_timing(const Timing& timing, const Plan& plan, const std::vecto
 }  // namespace
 
 std::vector<RowResult> run_rows(const Plan& plan, const ModelStore& store) {
-    ThreadPool one(1);  // a training takes all cores
+    ThreadPool one(1);  // one training at a time, because each of them uses all cores
     const auto trained = jobs::run(trainings_of(plan, store), one, {"training", "networks"}).results;
     std::vector<RowResult> rows;
     for (std::size_t row = 0; row < plan.rows.size(); ++row) {

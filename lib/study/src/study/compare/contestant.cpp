@@ -23,7 +23,7 @@ private:
     Trajectory trajectory_;
 };
 
-/// On one thread: the comparison runs many at once.
+/// Runs ddtool's filter on one thread, because the comparison runs many cells at once.
 class FilterEstimator : public Estimator {
 public:
     FilterEstimator(const FilterSettings& settings, const DetectorTable& detectors)
@@ -36,7 +36,7 @@ private:
     std::unique_ptr<Rbpf> filter_;
 };
 
-/// What another program made of the same log.
+/// The trajectory that another program computed from the same log.
 class ExternalEstimator : public Estimator {
 public:
     explicit ExternalEstimator(std::string file) : file_(std::move(file)) {}
@@ -52,13 +52,13 @@ constexpr const char* odometry_kind = "odometry";
 constexpr const char* external_kind = "external";
 constexpr const char* known_map_kind = "known-map";
 
-/// The kind that an item names; "filter" where it names none.
+/// The kind that an item names, or "filter" if it names none.
 std::string kind_of(const Json& item) {
     const bool named = item.is_object() && item.contains("kind") && item.at("kind").is_string();
     return named ? item.at("kind").get<std::string>() : filter_kind;
 }
 
-/// The keys of an item of that kind beside name and kind, with their defaults.
+/// The keys of an item of this kind, except name and kind, with their defaults.
 Json defaults_of(const std::string& kind, const Json& filter, const std::string& where) {
     if (kind == filter_kind) {
         return {{"filter", filter}};
@@ -95,7 +95,8 @@ Contestant::Contestant(const Json& item, const Json& filter, const std::string& 
     kind_ = kind_from(settings, kind, where);
     if (const auto* own = std::get_if<Filter>(&kind_)) {
         ThreadPool one(1);
-        (void)make_filter(own->settings, detectors_, one);  // what makes no sense shows now, not in every run
+        // checks the settings now, so that a mistake is not found only when the first run starts
+        (void)make_filter(own->settings, detectors_, one);
     }
 }
 
@@ -105,7 +106,8 @@ Contestant::Kind Contestant::kind_from(const Json& settings, const std::string& 
     }
     if (kind == known_map_kind) {
         const auto odometry = settings.at("odometry").get<std::string>();
-        (void)sim::odometry_preset(odometry);  // an unknown one shows now
+        // throws now if the preset is unknown, and not only when the first run starts
+        (void)sim::odometry_preset(odometry);
         return KnownMap{odometry};
     }
     if (kind == external_kind) {

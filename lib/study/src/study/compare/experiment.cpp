@@ -13,7 +13,7 @@
 namespace ddtool::compare {
 namespace {
 
-/// Raised when results of before can no longer be compared with new ones.
+/// Part of every cell's key. It is increased when earlier results can no longer be compared with new ones.
 constexpr int format = 1;
 
 struct ScoreSettings {
@@ -66,7 +66,7 @@ AteOptions score_from(const Json& json) {
     return {.alignment = parse_alignment(settings.align), .max_time_difference_s = settings.max_time_difference_s};
 }
 
-/// As it goes into the configuration of a cell.
+/// The scoring options in the form in which they enter the key of a cell.
 Json score_identity(const AteOptions& options) {
     return {{"align", static_cast<int>(options.alignment)}, {"max_time_difference_s", options.max_time_difference_s}};
 }

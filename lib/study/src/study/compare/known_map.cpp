@@ -13,13 +13,14 @@ namespace {
 
 constexpr std::uint64_t measurement_draw = 31;
 
-/// Keeps covariances positive where nothing moves; far below any error of interest.
+/// Keeps the covariances invertible while the robot does not move. In m^2 and rad^2; its root, 1e-5, is far below any
+/// error that matters here.
 constexpr double least_variance = 1e-10;
 
 Eigen::Vector3d vector_of(const Pose2& pose) { return {pose.x_m, pose.y_m, pose.theta_rad}; }
 
-/// What the odometry adds to the variance along, across and of the heading; slips are exponential, so that their mean
-/// square is twice their squared mean.
+/// The variance that the odometry adds along the motion, across it, and to the heading. The lengths of the slips are
+/// distributed exponentially, so the mean of their squares is twice the square of their mean.
 Eigen::Vector3d noise_of(const sim::OdometrySettings& odometry, const Pose2& motion) {
     const double way_m = std::hypot(motion.x_m, motion.y_m);
     const double along =
@@ -90,7 +91,8 @@ void KnownMapEstimator::correct(const Pose2& true_pose, const Eigen::Matrix3d& i
     Matrix5 sum = step.predicted_covariance.inverse();
     sum.topLeftCorner<3, 3>() += information;
     step.covariance = sum.inverse();
-    // Information times measurement, which needs no measurement along directions that the scan tells nothing of.
+    // The information matrix times the measurement's difference from the prediction. In this form no measurement is
+    // needed along directions about which the scan contains no information.
     const Eigen::Vector3d pull = information * apart + axes.eigenvectors() * values.cwiseSqrt().cwiseProduct(normals);
     step.filtered = step.predicted + step.covariance.leftCols<3>() * pull;
 }

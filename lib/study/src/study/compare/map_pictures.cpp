@@ -19,18 +19,18 @@ bool has_moved(const Pose2& from, const Pose2& to) {
     return std::hypot(motion.x_m, motion.y_m) >= step_m || std::abs(motion.theta_rad) >= step_rad;
 }
 
-/// The map that a trajectory makes of a log: scans entered at its poses, whatever method they came from, so that the
-/// maps of different methods differ by the trajectories alone.
+/// The map that results from a log's scans at the poses of a trajectory. It is computed in the same way for every
+/// method, so the maps of two methods differ only because their trajectories do.
 class TrajectoryMap {
 public:
-    /// world_from_robot, in any order.
+    /// The poses are world_from_robot and may be in any order of time.
     explicit TrajectoryMap(Trajectory trajectory) : sorted_(std::move(trajectory)) {
         std::stable_sort(sorted_.begin(), sorted_.end(),
                          [](const StampedPose& a, const StampedPose& b) { return a.stamp_ns < b.stamp_ns; });
     }
 
-    /// Enters the frame if the robot has moved since the last one that was; leaves out those before and after the
-    /// trajectory.
+    /// Enters the frame's scan if the robot has moved since the last scan that was entered. Frames before the start or
+    /// after the end of the trajectory are left out.
     void add(const SensorFrame& frame) {
         const std::optional<Pose2> pose = pose_at(sorted_, frame.scan.stamp_ns);
         if (pose && (!last_ || has_moved(*last_, *pose))) {
@@ -55,7 +55,7 @@ struct NamedMap {
     MapRaster raster;
 };
 
-/// One pass over the data for all of them; the truth's first.
+/// Makes all maps in one pass over the data. The map of the true trajectory comes first.
 std::vector<NamedMap> maps_of(const ShownRun& run) {
     std::vector<TrajectoryMap> maps;
     std::vector<NamedMap> named;

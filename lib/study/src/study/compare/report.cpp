@@ -35,7 +35,9 @@ std::string how_to_read(const Experiment& experiment) {
            "over all tests of the same error.";
 }
 
-/// Says so when the experiment is too small to show anything at all.
+/// A warning if the experiment has too few seeds for any difference to be significant, otherwise an empty text. The
+/// smallest possible p-value of the signed-rank test with n seeds is 2^(1-n), and Holm's correction multiplies it by
+/// the number of tests.
 std::string power_note(const Experiment& experiment) {
     const std::size_t tests = experiment.worlds.size() * (experiment.contestants.size() - 1);
     const auto seeds = static_cast<double>(experiment.seeds.size());
@@ -48,7 +50,7 @@ std::string power_note(const Experiment& experiment) {
            "); " + std::to_string(needed) + " are the fewest.";
 }
 
-/// A part of the report, whatever it is written in.
+/// A section of the report, for every format of output.
 struct Section {
     std::string heading;
     std::vector<Table> tables;

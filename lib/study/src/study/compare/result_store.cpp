@@ -14,7 +14,8 @@ ResultStore::ResultStore(const std::filesystem::path& folder)
 std::optional<CellResult> ResultStore::load(const Cell& cell) const {
     return cells_.find(cell.key, [&](const Json& json) {
         const auto result = json.get<CellResult>();
-        (void)estimate(cell);  // damage shows now, when the cell can still be run again
+        // reads the trajectory, so that a damaged file is noticed now, when the cell can still be run again
+        (void)estimate(cell);
         if (result.score.ate_m) {
             (void)truth(cell);
         }

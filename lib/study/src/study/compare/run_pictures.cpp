@@ -8,7 +8,7 @@ namespace ddtool::compare {
 namespace {
 
 constexpr double page_width_px = 1500.0;
-constexpr double margins_px = 90.0;  ///< of a panel: title, ticks, label
+constexpr double margins_px = 90.0;  ///< what a panel needs for its title, tick texts and axis label
 
 std::size_t columns_for(const Extent& extent, std::size_t panels) {
     const double aspect = extent.x.length() / std::max(extent.y.length(), 1e-9);
@@ -41,7 +41,7 @@ Line line_of(const Trajectory& trajectory) {
     return line;
 }
 
-/// |x|, |y| and distance of every pair, over the time since the first.
+/// The absolute errors in x and y and the distance of every pair, over the time since the first pair.
 struct ErrorCurves {
     std::vector<double> time_s;
     std::array<std::vector<double>, 3> errors_m;

@@ -12,7 +12,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Feeds the estimator; gives back what the frames say of the truth.
+/// Runs the estimator over all frames. Returns the true trajectory, as far as the frames contain it.
 Trajectory feed(Estimator& estimator, const DataSource& data, const std::shared_ptr<ScanTruth>& scan_truth,
                 CellResult& result, const jobs::OnProgress& on_progress) {
     Trajectory truth;
@@ -48,8 +48,8 @@ ScoreFigures score_of(const Trajectory& estimate, const Trajectory& truth, const
     return figures_of(score);
 }
 
-/// Runs the cell from the first frame to the last, scores it and saves it. Throws Error for what keeps it from being
-/// scored.
+/// Runs the estimator of the cell over all frames, scores the trajectory and saves the result. Throws Error if the run
+/// cannot be scored.
 CellResult run_cell(const Experiment& experiment, const Cell& cell, ResultStore& store, const std::string& program,
                     const jobs::OnProgress& on_progress) {
     const Clock::time_point start = Clock::now();

@@ -55,8 +55,8 @@ std::size_t median_seed(const Experiment& experiment, const std::vector<Summary>
     for (std::size_t contestant = 0; contestant < experiment.contestants.size(); ++contestant) {
         const Summary* summary = main_summary(summaries, world, contestant);
         for (std::size_t seed = 0; summary != nullptr && seed < log_products.size(); ++seed) {
-            // A failed run is as bad as a thousand kilometres: finite, so that contestants that always fail decide
-            // nothing.
+            // A failed run counts like an error of 1000 km. The value is finite, so that a contestant that fails with
+            // every seed adds the same to each of them and does not influence the choice.
             log_products[seed] += std::log(std::clamp(summary->values[seed], 1e-9, 1e6));
         }
     }

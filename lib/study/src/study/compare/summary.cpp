@@ -19,7 +19,7 @@ std::optional<double> figure(const ScoreFigures& score) {
 template <std::optional<ErrorStatistics> ScoreFigures::*Error>
 constexpr auto mean_of = figure<Error, &ErrorStatistics::mean>;
 
-/// Of one metric, by world, contestant and seed; infinite where a run has none.
+/// The values of one metric, by world, contestant and seed. The value of a run that has none is infinite.
 class Values {
 public:
     Values(const Experiment& experiment, const std::vector<Cell>& cells, const std::vector<CellResult>& results,

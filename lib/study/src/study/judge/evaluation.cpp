@@ -39,7 +39,8 @@ Calibration calibration_of(const Evaluation& evaluation, const Dataset& data, co
     return calibration;
 }
 
-/// Over the samples that were tested and those without label, which no detector can have seen with one.
+/// The agreement with the physics, over the tested samples and the samples without a label. No detector can have been
+/// trained on the latter.
 std::vector<PhysicalAgreement> physics_of(const Evaluation& evaluation, const Dataset& data, const Task& task) {
     Indices samples = without_label(data, task.label);
     std::vector<double> scores = scored(data, evaluation.detector, samples);

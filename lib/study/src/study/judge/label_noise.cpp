@@ -17,7 +17,7 @@ using dataset::LabelRule;
 using dataset::RunEntry;
 using dataset::SampleRecord;
 
-/// The labelled samples of a run in the order of time.
+/// The labelled samples of one run, sorted by time.
 struct Timeline {
     std::vector<const SampleRecord*> samples;
     double tolerance_ns = 0.0;
@@ -31,7 +31,7 @@ struct Timeline {
         tolerance_ns = gaps_ns.empty() ? 0.0 : median(gaps_ns) / 2.0;
     }
 
-    /// None where the run has no sample at about that time.
+    /// The sample at about that time, or null if the run has none within the tolerance.
     [[nodiscard]] const SampleRecord* at(std::int64_t stamp_ns) const {
         const auto after = std::lower_bound(samples.begin(), samples.end(), stamp_ns,
                                             [](auto* sample, std::int64_t stamp) { return sample->stamp_ns < stamp; });
@@ -46,7 +46,7 @@ struct Timeline {
     }
 };
 
-/// What repetitions have in common.
+/// The settings that two runs must share to count as repetitions of each other.
 auto settings_of(const SampleRecord& sample, const RunEntry& run) {
     return std::tuple(sample.source, run.scene, run.particles, run.lidar, run.odometry, run.update_distance_m,
                       run.update_turn_rad);
@@ -111,7 +111,7 @@ std::vector<RepeatedLabel> repeated_labels(const Dataset& data, LabelRule rule) 
 
 LabelNoise label_noise(std::span<const RepeatedLabel> labels) {
     LabelNoise noise;
-    std::array<double, 2> differing{};  // sums over the samples of a class
+    std::array<double, 2> differing{};  // the sums over the samples of each class
     std::array<double, 2> right{};
     for (const RepeatedLabel& label : labels) {
         const std::size_t own = label.degenerate ? 1 : 0;

@@ -17,7 +17,8 @@ Eigen::VectorXd probabilities(const Eigen::MatrixXd& design, const Eigen::Vector
     return (1.0 + (-(design * coefficients).array()).exp()).inverse();
 }
 
-/// The objective, as a sum of log(1 + exp(-+logit)) that cannot overflow.
+/// The function to minimise: the negative log-likelihood plus the ridge penalty. The terms log(1 + exp(-+logit)) are
+/// written so that they cannot overflow.
 double penalised_loss(const Eigen::MatrixXd& design, const Eigen::VectorXd& targets,
                       const Eigen::VectorXd& coefficients) {
     const Eigen::ArrayXd margins = (design * coefficients).array() * (1.0 - 2.0 * targets.array());
@@ -43,7 +44,8 @@ Eigen::VectorXd fitted(const Eigen::MatrixXd& design, const Eigen::VectorXd& tar
     for (int iteration = 0; iteration < most_iterations; ++iteration) {
         Eigen::VectorXd step = newton_step(design, targets, coefficients);
         double next = penalised_loss(design, targets, coefficients + step);
-        while (next > loss && step.norm() > least_step) {  // too far where the curvature changes on the way
+        // the step was too long, because the curvature changes along it
+        while (next > loss && step.norm() > least_step) {
             step /= 2.0;
             next = penalised_loss(design, targets, coefficients + step);
         }

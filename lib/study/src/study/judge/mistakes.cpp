@@ -14,12 +14,12 @@
 namespace ddtool::judge {
 namespace {
 
-constexpr std::size_t tiles = 6;  ///< of a kind of mistake in a row
+constexpr std::size_t tiles = 6;  ///< for each kind of mistake, in one row
 constexpr double tile_px = 112.0;
 
-/// Mistakes in the scenes of a family.
+/// The mistakes in all scenes of one family.
 struct Family {
-    std::array<std::size_t, 2> count{};  ///< misses, false alarms
+    std::array<std::size_t, 2> count{};  ///< missed samples and false alarms
     std::array<std::vector<cv::Mat>, 2> worst;
 };
 

@@ -8,7 +8,7 @@
 namespace ddtool::judge {
 namespace {
 
-/// Network, renderer, and the memory of one batch of images.
+/// The network, the renderer of its input, and the memory of one batch of images.
 class ModelScorer {
 public:
     explicit ModelScorer(std::shared_ptr<DegreeModel> model)
@@ -24,7 +24,7 @@ public:
     }
 
 private:
-    static constexpr std::size_t most_images = 32;  // more make no network faster and take more memory
+    static constexpr std::size_t most_images = 32;  // larger batches make no network faster, but take more memory
 
     void score(std::span<const Particles> swarms, std::span<double> degrees) {
         const std::size_t size_px = renderer_.settings().size_px;
@@ -41,7 +41,7 @@ private:
     std::vector<float> images_;
 };
 
-/// "ddmodel", and after it what is not as usual.
+/// The network's name, for example "ddmodel", followed by every setting that differs from the usual one.
 std::string name_of(const ModelDescription& description) {
     std::string name = description.network;
     name += description.loss == "bce" ? ", bce" : "";

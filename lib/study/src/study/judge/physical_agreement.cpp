@@ -13,13 +13,14 @@ using dataset::Label;
 using dataset::LabelRule;
 using dataset::SampleRecord;
 
-/// Of the position, heading known: of the information's block xx, xy, yy.
+/// The smaller eigenvalue of the information about the position if the heading is known, that is of the block xx, xy,
+/// yy.
 double smaller_eigenvalue(const SampleRecord& sample) {
     const auto& [xx, xy, xt, yy, yt, tt] = sample.information;
     return principal_axes(xx, xy, yy).smaller;
 }
 
-/// Samples of a kind of source, as columns.
+/// The samples of one kind of source, as columns.
 struct PhysicalColumns {
     std::vector<double> scores;
     std::vector<double> weak_sd_m;

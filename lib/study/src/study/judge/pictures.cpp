@@ -25,7 +25,7 @@ constexpr double left_px = 115.0;
 constexpr double top_px = 60.0;
 constexpr double text_px = 9.0;
 
-/// Light to blue; dark enough for white text from one half on.
+/// A colour from light grey (0) to blue (1). From one half on it is dark enough for white text.
 report::Colour shade(double share) {
     const auto fade = [&](double to) { return static_cast<std::uint8_t>(std::lround(245.0 + (to - 245.0) * share)); };
     return {fade(20.0), fade(80.0), fade(160.0)};
@@ -61,8 +61,8 @@ void draw_panel(report::Canvas canvas, const Evaluation& evaluation) {
     }
 }
 
-/// A square of four fields for every detector that decides: what was so downwards, what was decided rightwards; the
-/// darker, the larger the share of what was so.
+/// Draws a confusion matrix of four fields for every detector that decides. The rows are the true classes and the
+/// columns the decisions. A field is the darker, the larger its share of the samples of the row is.
 void draw_confusions(const std::filesystem::path& file, std::span<const Evaluation> evaluations) {
     std::vector<const Evaluation*> deciding;
     for (const Evaluation& evaluation : evaluations) {
@@ -90,7 +90,7 @@ std::string legend(const Detector& detector) {
 
 using Drawn = std::vector<const Evaluation*>;
 
-/// As many as there are colours: models first, then the higher AUC.
+/// The evaluations that are drawn: as many as there are colours, models first, then by falling AUC.
 Drawn most_telling(std::span<const Evaluation> evaluations) {
     constexpr std::size_t colours = 7;
     Drawn drawn;

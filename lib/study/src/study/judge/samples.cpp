@@ -26,7 +26,7 @@ Groups grouped(const dataset::Dataset& data, const LabelledSamples& samples, con
 
 std::vector<double> scores_of(const dataset::Dataset& data, const std::vector<std::size_t>& samples,
                               const SwarmScorer& scorer, const std::string& what) {
-    constexpr std::size_t piece = 256;  // swarms between two looks at the clock
+    constexpr std::size_t piece = 256;  // number of swarms that are scored between two updates of the progress display
     Progress progress(what, "samples");
     std::vector<double> scores;
     std::vector<Particles> swarms;

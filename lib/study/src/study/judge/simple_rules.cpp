@@ -21,7 +21,8 @@ std::string short_number(double number) {
     return text.data();
 }
 
-/// Sets the threshold; scores are turned round where the degenerate ones have the lower values.
+/// Sets the detector's threshold. Detectors decide "degenerate" above their threshold, so scores and threshold are
+/// negated if the degenerate samples have the lower values.
 void decide_by(Detector& detector, const Measure& measure, const DecisionThreshold& threshold) {
     const double sign = threshold.positive_above ? 1.0 : -1.0;
     detector.decision = (threshold.positive_above ? "above " : "below ") + short_number(threshold.value);

@@ -15,7 +15,7 @@ using Cells = std::vector<Table::Cell>;
 
 constexpr double missing = std::numeric_limits<double>::quiet_NaN();
 
-/// A table whose rows begin with who: its columns, and the cells of a detector.
+/// A table in which the first columns of each row identify the detector. add_detector_row() fills its rows.
 Table table_of(const Columns& columns) {
     Columns all{{"model"}, {"swarm"}, {"trained on"}, {"seed"}};
     all.insert(all.end(), columns.begin(), columns.end());

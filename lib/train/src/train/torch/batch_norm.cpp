@@ -24,7 +24,7 @@ torch::Tensor BatchNorm::forward_synchronous(const torch::Tensor& input) {
     const torch::Tensor sums = sum_over_ranks_(torch::cat({x.sum({0, 2, 3}), x.square().sum({0, 2, 3}), own_count}));
     const torch::Tensor count = sums.narrow(0, 2 * channels, 1);
     const torch::Tensor mean = sums.narrow(0, 0, channels) / count;
-    // E[x^2] - E[x]^2 can come out below zero by rounding.
+    // Because of rounding, E[x^2] - E[x]^2 can be below zero.
     const torch::Tensor variance = (sums.narrow(0, channels, channels) / count - mean.square()).clamp_min(0.0);
     update_running(mean, variance * count / (count - 1.0));
     const torch::Tensor scale = weight_ * torch::rsqrt(variance + options_.epsilon);

@@ -7,7 +7,7 @@
 
 namespace ddtool::train_torch {
 
-/// Adds a tensor up over the ranks of a data-parallel run. Differentiable: the gradient is added up over them too.
+/// Sums a tensor over the ranks of a data-parallel training. The sum is differentiable: the gradient is summed, too.
 using SumOverRanks = std::function<torch::Tensor(const torch::Tensor&)>;
 
 struct BatchNormOptions {
@@ -15,14 +15,15 @@ struct BatchNormOptions {
     double momentum = 0.1;  ///< the share of the new batch in the running statistics
 };
 
-/// Batch normalisation of [n, channels, height, width] (Ioffe and Szegedy 2015), the project's only one, so that a
-/// data-parallel run can make it synchronous.
+/// Batch normalisation of [n, channels, height, width] (Ioffe and Szegedy 2015). All networks here use this class, so
+/// that a data-parallel training can make it synchronous.
 class BatchNorm : public torch::nn::Module {
 public:
     explicit BatchNorm(std::int64_t channels, const BatchNormOptions& options = {});
 
     torch::Tensor forward(const torch::Tensor& input);
-    /// While training, statistics are those of all ranks' batches together; null: of the own batch.
+    /// Sets how statistics are summed during training: over the batches of all ranks, or, with null, over the own batch
+    /// only.
     void set_sum_over_ranks(SumOverRanks sum) { sum_over_ranks_ = std::move(sum); }
 
 private:
@@ -37,7 +38,7 @@ private:
     torch::Tensor running_variance_;
 };
 
-/// Sets it for every BatchNorm in the network.
+/// Calls set_sum_over_ranks() of every BatchNorm in the network.
 void set_sum_over_ranks(torch::nn::Module& network, const SumOverRanks& sum);
 
 }  // namespace ddtool::train_torch

@@ -11,7 +11,7 @@ struct BatchTensors {
     torch::Tensor classes;  ///< [n]
 };
 
-/// The batch on the device. On the CPU the tensors are views, so that the batch must live as long as they do.
+/// The batch on the device. On the CPU the tensors are views of the batch, which must live as long as they do.
 inline BatchTensors tensors_of(train::Batch& batch, torch::Device device) {
     const auto count = static_cast<std::int64_t>(batch.classes.size());
     const auto size = static_cast<std::int64_t>(batch.size_px);

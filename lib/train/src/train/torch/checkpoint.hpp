@@ -14,23 +14,23 @@
 
 namespace ddtool::train_torch {
 
-/// Writes network and description, and with `state` and `optimizer` all that going on needs (weights, optimiser,
-/// random state, place in the data), as LibTorch's archive. The old file stays until the new one is whole. Throws Error
-/// naming the file.
+/// Writes the network and its description as an archive of LibTorch. With `state` and `optimizer` it also writes all
+/// that is needed to resume the training (weights, optimiser, random state, position in the data). An older file stays
+/// until the new one is complete. Throws Error naming the file.
 void write_checkpoint(const std::filesystem::path& path, const Network& network, const ModelDescription& description);
 void write_checkpoint(const std::filesystem::path& path, const Network& network, const ModelDescription& description,
                       const torch::optim::Optimizer& optimizer, const train::TrainingState& state);
 
-/// A checkpoint that was opened. Every member throws Error naming the file where it is damaged.
+/// A checkpoint that was opened. Every member throws Error naming the file if it is damaged.
 class Checkpoint {
 public:
-    /// Its tensors go to the device, and so does what is restored from it.
+    /// The tensors are loaded to the device, and what is restored from them stays there.
     explicit Checkpoint(const std::filesystem::path& path, torch::Device device = torch::kCPU);
 
     [[nodiscard]] ModelDescription description();
     /// The network in float32.
     [[nodiscard]] std::shared_ptr<Network> network();
-    /// Where the training stood. Throws Error for a checkpoint without it, such as the best one.
+    /// The state of the training. Throws Error if the checkpoint has none, as that of the best network.
     [[nodiscard]] train::TrainingState state();
     /// Restores the weights, the optimiser and LibTorch's random state.
     void restore(Network& network, torch::optim::Optimizer& optimizer);

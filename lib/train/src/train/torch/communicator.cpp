@@ -16,12 +16,14 @@
 namespace ddtool::train_torch {
 namespace {
 
-/// To meet; a rank that is lost afterwards is noticed at once, by its connection.
+/// How long a rank waits for the others at the start. A rank that is lost later is noticed at once, because its
+/// connection breaks.
 constexpr std::chrono::minutes patience_to_meet{5};
-/// The others wait while rank 0 validates.
+/// How long a collective operation may take. The limit is generous, because all other ranks wait in one while rank 0
+/// validates.
 constexpr std::chrono::minutes patience{30};
 
-/// torchrun keeps a store of its own at the master's address, which everyone then uses.
+/// Whether a store exists already: torchrun runs one at the master's address, which all ranks then use.
 bool store_is_hosted() { return train::process_environment("TORCHELASTIC_USE_AGENT_STORE") == "True"; }
 
 template <typename Action>
@@ -37,7 +39,7 @@ void with_others(const char* what, Action&& action) {
 
 }  // namespace
 
-/// The store where the ranks meet, and the collective operations.
+/// The store through which the ranks find each other, and the collective operations.
 class Communicator::Group {
 public:
     Group(const train::ProcessGroup& group, [[maybe_unused]] torch::Device device) {
@@ -48,7 +50,9 @@ public:
         options.waitWorkers = !store_is_hosted();
         options.timeout = patience_to_meet;
 #if TORCH_VERSION_MAJOR > 2 || (TORCH_VERSION_MAJOR == 2 && TORCH_VERSION_MINOR >= 4)
-        options.useLibUV = false;  // the default, which not every LibTorch is built with; both speak the same
+        // The default (true) needs libuv, without which some builds of LibTorch are made. Both servers use the same
+        // protocol.
+        options.useLibUV = false;
 #endif
         const auto meeting = c10::make_intrusive<c10d::TCPStore>(group.master_address, options);
         const auto store = c10::make_intrusive<c10d::PrefixStore>("ddtool", meeting);
@@ -89,7 +93,8 @@ namespace {
 
 using Sum = std::function<void(torch::Tensor&)>;
 
-/// Sum over the ranks with a gradient: what each rank put in reaches the loss of every rank.
+/// The sum over the ranks, with a gradient. The values of one rank enter the losses of all ranks, so the gradient is
+/// summed over the ranks as well.
 struct SumOverRanksFunction : torch::autograd::Function<SumOverRanksFunction> {
     static torch::Tensor forward(torch::autograd::AutogradContext* context, const torch::Tensor& values,
                                  std::int64_t sum_address) {
@@ -104,7 +109,7 @@ struct SumOverRanksFunction : torch::autograd::Function<SumOverRanksFunction> {
 
     static torch::Tensor summed(const torch::Tensor& values, std::int64_t sum_address) {
         torch::Tensor result = values.contiguous().clone();
-        // A context keeps numbers and tensors only.
+        // The sum is passed as an address, because an autograd context stores only numbers and tensors.
         (*reinterpret_cast<const Sum*>(sum_address))(result);
         return result;
     }
@@ -171,7 +176,7 @@ std::vector<double> Communicator::of_leader(const std::vector<double>& values) c
 
 void Communicator::join_statistics(Network& network) const {
     if (group_) {
-        // Lives as long as the hook that holds it.
+        // The hook below holds this object, so the address that it passes on stays valid.
         const auto sum = std::make_shared<const Sum>([group = group_](torch::Tensor& tensor) {
             with_others("adding up over the ranks", [&] { group->sum(tensor); });
         });

@@ -66,7 +66,7 @@ torch::Tensor EncoderLayer::self_attention(const torch::Tensor& x) {
         query_key_value_(x).view({-1, tokens, 3, heads_, head_width}).permute({2, 0, 3, 1, 4}).unbind(0);
     const torch::Tensor query = parts[0] / std::sqrt(static_cast<double>(head_width));
     const torch::Tensor attention = torch::matmul(query, parts[1].transpose(-2, -1)).softmax(-1);
-    const torch::Tensor mixed = torch::matmul(attention, parts[2]);  // [n, heads, tokens, head_width]
+    const torch::Tensor mixed = torch::matmul(attention, parts[2]);  // shape [n, heads, tokens, head_width]
     return attention_out_(mixed.transpose(1, 2).reshape({-1, tokens, heads_ * head_width}));
 }
 
@@ -84,18 +84,20 @@ DDModel::DDModel(const network::DDModelTable& table, std::int64_t size_px)
       norm_(register_module("norm", torch::nn::LayerNorm(torch::nn::LayerNormOptions({table.encoder.width})))),
       head_(register_module("head", torch::nn::Linear(table.encoder.width, 2))) {
     draw_weights(*this);
-    torch::nn::init::normal_(position_, 0.0, 0.02);  // as Dosovitskiy et al. 2021
+    torch::nn::init::normal_(position_, 0.0, 0.02);  // as in Dosovitskiy et al. 2021
 }
 
 torch::Tensor DDModel::forward(const torch::Tensor& images) { return logits_of(head_, features(feature_map(images))); }
 
 torch::Tensor DDModel::feature_map(const torch::Tensor& images) {
-    // The maximum and ReLU may change places; this way ReLU has a quarter of the work.
+    // Max pooling and ReLU may be exchanged without any change of the result. In this order ReLU has only a quarter of
+    // the values to process.
     return groups_->forward(torch::relu(torch::max_pool2d(stem_->forward(images), 3, 2, 1)));
 }
 
 torch::Tensor DDModel::features(const torch::Tensor& map) {
-    // Under autocast the embedding is bf16; the sum with the position is float32 again, which layer_norm needs.
+    // Under autocast the embedding is computed in bf16. The position is float32, and so is the sum, as layer_norm
+    // requires.
     const torch::Tensor tokens = embedding_(map.flatten(2).transpose(1, 2)) + position_;
     return norm_(encoder_->forward(tokens)).mean(1);
 }

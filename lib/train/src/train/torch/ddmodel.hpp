@@ -24,13 +24,14 @@ private:
     std::shared_ptr<ConvNorm> projection_;  // null: the skip is the input itself
 };
 
-/// One layer of a transformer encoder (Vaswani et al. 2017) with normalisation first (Xiong et al. 2020), without
-/// dropout. On plain operations whose views leave the batch open: torch::nn::TransformerEncoder's views would carry
-/// the batch of the trace into the exported model.
+/// One layer of a transformer encoder (Vaswani et al. 2017) with the normalisation first (Xiong et al. 2020) and
+/// without dropout. It is made of plain operations whose views do not depend on the size of the batch. The views in
+/// torch::nn::TransformerEncoder would fix the exported model to the size of the traced batch.
 class EncoderLayer : public torch::nn::Module {
 public:
     explicit EncoderLayer(const network::EncoderRow& row);
-    /// x: [n, tokens, width], float32, which it also returns; under autocast only the products are rounded.
+    /// x: [n, tokens, width] in float32. So is the result; under autocast only the matrix products are computed in
+    /// bf16.
     torch::Tensor forward(const torch::Tensor& x);
 
 private:
@@ -51,9 +52,9 @@ public:
     DDModel(const network::DDModelTable& table, std::int64_t size_px);
     torch::Tensor forward(const torch::Tensor& images) override;
 
-    /// The backbone: images to maps [n, channels, side, side].
+    /// The backbone: from images to maps [n, channels, side, side].
     torch::Tensor feature_map(const torch::Tensor& images);
-    /// The neck: maps to one vector for each image, [n, encoder width], float32.
+    /// The neck: from maps to one vector per image, [n, encoder width], in float32.
     torch::Tensor features(const torch::Tensor& map);
 
 private:

@@ -17,10 +17,11 @@ namespace {
 
 constexpr const char* description_file = "ddtool.json";
 
-/// A TorchScript module of the same shape that holds the very same tensors.
+/// A TorchScript module with the structure of the network. It shares the network's tensors and does not copy them.
 torch::jit::Module owner_of(const torch::nn::Module& network, const std::string& name,
                             const std::shared_ptr<torch::jit::CompilationUnit>& unit) {
-    // The name of a class may not be a number, as those of a Sequential's children are.
+    // The prefix is needed because the children of a Sequential have numbers as names, and the name of a class may not
+    // be a number.
     torch::jit::Module owner(c10::QualifiedName("__torch__.layer_" + name), unit, /*shouldMangle=*/true);
     for (const auto& parameter : network.named_parameters(/*recurse=*/false)) {
         owner.register_parameter(parameter.key(), parameter.value(), /*is_buffer=*/false);
@@ -35,10 +36,10 @@ torch::jit::Module owner_of(const torch::nn::Module& network, const std::string&
     return owner;
 }
 
-/// Records what the network does with a batch as the method "forward" of its owner.
+/// Traces the network with a batch and adds the recorded graph to `owner` as the method "forward".
 void trace_forward(torch::jit::Module& owner, Network& network, const ModelDescription& description) {
     const auto size = static_cast<std::int64_t>(description.image.size_px);
-    // Two images: with one, a step that only works for a batch of one would go unnoticed.
+    // The batch has two images: with one, an operation that works only for a batch of one would go unnoticed.
     const torch::Tensor images = torch::zeros({2, 1, size, size}, network.parameters().front().options());
     const auto forward = [&](torch::jit::Stack inputs) -> torch::jit::Stack {
         const torch::Tensor logits = network.forward(inputs.at(0).toTensor()) / description.temperature;
@@ -51,7 +52,8 @@ void trace_forward(torch::jit::Module& owner, Network& network, const ModelDescr
     owner.type()->addMethod(owner._ivalue()->compilation_unit()->create_function(name, traced.first->graph));
 }
 
-/// Every archive of LibTorch lists its files at the end under their names.
+/// Whether the archive contains this extra file. Every archive of LibTorch is a zip file, whose directory lists its
+/// files.
 bool has_file(const std::filesystem::path& path, const std::string& name) {
     caffe2::serialize::PyTorchStreamReader reader(path.string());
     return reader.hasRecord("extra/" + name);
@@ -64,10 +66,11 @@ ModelDescription description_in(const std::string& text, const std::filesystem::
     return parse_model_description(text, path.string());
 }
 
-/// Makes ready what was loaded, in one precision: what it makes knows no autocast, and LibTorch 1.13 cannot save it.
-/// optimize_for_inference folds batch normalisation and lays weights out for the processor. Networks with hard swish or
-/// hard sigmoid are only frozen, which folds too: LibTorch 1.13 applies those to the padding of such layouts and gets
-/// wrong values, off by 0.4 of a MobileNetV3's degree.
+/// Prepares a loaded module for inference in one precision. The result ignores autocast, and LibTorch 1.13 cannot save
+/// it. optimize_for_inference() folds batch normalisation into the convolutions and changes the layout of the weights
+/// to suit the processor. Networks with hard swish or hard sigmoid are only frozen, which folds batch normalisation,
+/// too: LibTorch 1.13 applies these functions to the padding of such layouts as well, which made an error of 0.4 in the
+/// degree of a MobileNetV3.
 torch::jit::Module made_ready(torch::jit::Module module) {
     const std::string code = module.get_method("forward").graph()->toString(/*print_source_locations=*/false);
     return code.find("aten::hard") == std::string::npos ? torch::jit::optimize_for_inference(module)

@@ -60,7 +60,8 @@ void draw_weights(torch::nn::Module& network) {
 void lay_out_channels_last(torch::nn::Module& network) {
     for (torch::Tensor& parameter : network.parameters()) {
         if (parameter.dim() == 4) {
-            // Not contiguous(): it leaves weights of one input channel, which are both, with strides that say neither.
+            // contiguous() is not used here: weights with one input channel count as contiguous in both layouts, so it
+            // would leave them unchanged, with strides that do not identify the layout.
             parameter.set_data(parameter.detach().clone(torch::MemoryFormat::ChannelsLast));
         }
     }

@@ -35,15 +35,15 @@ private:
     Activation activation_;
 };
 
-/// The head: float32 whatever the autocast, since a logit rounded to bf16 knows only three digits.
+/// The head. It computes in float32 even under autocast, because a logit in bf16 has only three digits.
 torch::Tensor logits_of(torch::nn::Linear& head, const torch::Tensor& features);
 
 /// Draws the weights of every convolution as He et al. 2015 (normal, by fan-out) and of every linear layer as Glorot
 /// and Bengio 2010 (uniform); their biases are 0.
 void draw_weights(torch::nn::Module& network);
 
-/// Lays the weights of every convolution out channels-last, and with them every map the network makes: LibTorch's
-/// convolutions and, above all, its max pooling are several times quicker that way.
+/// Changes the layout of the weights of every convolution to channels-last, and so the layout of every map that the
+/// network makes. LibTorch's convolutions, and above all its max pooling, are several times faster with it.
 void lay_out_channels_last(torch::nn::Module& network);
 
 }  // namespace ddtool::train_torch

@@ -11,13 +11,12 @@
 
 namespace ddtool::train_torch {
 
-/// The loss of each sample, [n]. logits: [n, 2]; classes: [n], 0 or 1. cross-entropy takes the softmax of the two
-/// logits; bce takes each logit for a class of its own, against 0 and 1, and averages both. Throws UsageError for
-/// another name.
+/// The loss of each sample, [n]. logits: [n, 2]; classes: [n], 0 or 1. cross-entropy uses the softmax of the two
+/// logits; bce compares the sigmoid of each logit with 0 or 1 and averages both. Throws UsageError for another name.
 torch::Tensor sample_losses(const std::string& loss, const torch::Tensor& logits, const torch::Tensor& classes);
 
-/// The two values in 0..1 that a network's logits [n, 2] stand for: softmax where it was trained by cross-entropy,
-/// where they sum to one; a sigmoid each where it was trained by bce.
+/// The two values in 0..1 that correspond to a network's logits [n, 2]: for a network trained with cross-entropy their
+/// softmax, which sums to one; for bce the sigmoid of each.
 torch::Tensor output_values(const std::string& loss, const torch::Tensor& logits);
 
 /// The weight of a sample of each class; the mean weight over the training part is one.

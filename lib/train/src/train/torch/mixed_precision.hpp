@@ -6,8 +6,8 @@
 
 namespace ddtool::train_torch {
 
-/// While one lives, operations that gain from it run in bfloat16 on that device (LibTorch's autocast); weights and
-/// what needs the range stay float32. Nothing happens for "fp32".
+/// While an object of this class exists, operations that gain from it run in bfloat16 on that device (LibTorch's
+/// autocast). Weights, and operations that need the larger precision, stay in float32. For "fp32" it has no effect.
 class MixedPrecision {
 public:
     MixedPrecision(const std::string& precision, torch::DeviceType device);

@@ -6,7 +6,8 @@
 namespace ddtool::train_torch {
 namespace {
 
-/// The multiple of 8 nearest to `channels`, no more than 10 % below it (Sandler et al.'s rule for layer widths).
+/// The multiple of 8 nearest to `channels`, but at most 10 % below it (the rule of Sandler et al. for the widths of
+/// layers).
 std::int64_t rounded_to_8(std::int64_t channels) {
     const std::int64_t rounded = std::max<std::int64_t>(8, (channels + 4) / 8 * 8);
     return 10 * rounded < 9 * channels ? rounded + 8 : rounded;
@@ -18,7 +19,7 @@ torch::nn::Conv2d pointwise(std::int64_t in_channels, std::int64_t out_channels)
 
 using enum Activation;
 
-// Howard et al. 2019, table 1, the rows "bneck".
+// The rows "bneck" of table 1 in Howard et al. 2019.
 constexpr std::array<BottleneckRow, 15> bottlenecks{{
     // kernel, exp size, #out, SE, NL, s
     {3, 16, 16, false, relu, 1},
@@ -40,7 +41,7 @@ constexpr std::array<BottleneckRow, 15> bottlenecks{{
 constexpr std::int64_t stem_channels = 16;
 constexpr std::int64_t last_channels = 960;
 constexpr std::int64_t hidden_width = 1280;
-constexpr double dropout = 0.2;  // of torchvision, as the next
+constexpr double dropout = 0.2;  // this and the following value are those of torchvision
 constexpr BatchNormOptions norm{.epsilon = 0.001, .momentum = 0.01};
 
 torch::nn::Sequential maps_of(std::int64_t in_channels) {

@@ -20,7 +20,8 @@ struct BottleneckRow {
     std::int64_t stride = 0;                   ///< "s"
 };
 
-/// Weighs each channel by what all pixels say together (Hu et al. 2018, with the hard sigmoid of MobileNetV3).
+/// Multiplies each channel by a factor that depends on all pixels (Hu et al. 2018, with the hard sigmoid of
+/// MobileNetV3).
 class SqueezeExcite : public torch::nn::Module {
 public:
     explicit SqueezeExcite(std::int64_t channels);
@@ -48,8 +49,8 @@ struct MobileNetV3Options {
     std::int64_t classes = 2;
 };
 
-/// MobileNetV3-Large (Howard et al. 2019, table 1), the paper's comparison. Everything the table leaves open is as in
-/// torchvision. Takes images of any size.
+/// MobileNetV3-Large (Howard et al. 2019, table 1), with which the paper compares. Everything that the table leaves
+/// open is as in torchvision. Takes images of any size.
 class MobileNetV3 : public Network {
 public:
     explicit MobileNetV3(const MobileNetV3Options& options = {});

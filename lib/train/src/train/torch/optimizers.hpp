@@ -14,8 +14,8 @@ namespace ddtool::train_torch {
 std::unique_ptr<torch::optim::Optimizer> make_optimizer(const train::OptimizerSettings& settings,
                                                         const std::vector<torch::Tensor>& parameters);
 
-/// The rate of step 0..steps-1: it rises linearly over the warm-up, then falls as half a cosine to final_rate_share of
-/// the largest (Loshchilov and Hutter 2017, without restarts).
+/// The learning rate of a step in 0..steps-1. It rises linearly during the warm-up and then falls as half a cosine to
+/// final_rate_share of its maximum (Loshchilov and Hutter 2017, without restarts).
 double learning_rate(const train::OptimizerSettings& settings, std::size_t step, std::size_t steps);
 
 void set_learning_rate(torch::optim::Optimizer& optimizer, double rate);

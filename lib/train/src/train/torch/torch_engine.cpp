@@ -42,7 +42,7 @@ public:
         const std::optional<train::ProcessGroup> group = train::process_group();
         train::TrainRequest own = request;
         if (group && request.device == "cuda") {
-            // A launcher may show each process no GPU but its own.
+            // Some launchers make a single GPU visible to each process, hence the modulo.
             const auto gpus = static_cast<std::size_t>(torch::cuda::device_count());
             own.device = "cuda:" + std::to_string(group->local_rank % gpus);
         }
@@ -52,10 +52,11 @@ public:
         if (request.threads > 0) {
             at::set_num_threads(static_cast<int>(request.threads));
         }
-        // Numbers too small for full precision make a processor many times slower and mean nothing here.
+        // Denormal numbers make some processors many times slower, and they are too small to matter here.
         at::globalContext().setFlushDenormal(true);
         const torch::Device device(own.device);
-        // Whatever names no device would otherwise take memory of the first GPU in every process.
+        // Without the guard, every operation that does not name a device would allocate memory on the first GPU, in
+        // every process.
         const c10::DeviceGuard guard(device);
         const Communicator communicator(group, device);
         train::TrainResult result = Trainer(own, communicator).run();

@@ -10,8 +10,8 @@
 
 namespace ddtool::train_torch {
 
-/// What LibTorch threw, as an Error of one line: the file and what it should have been, then LibTorch's first line.
-/// Of its own errors the rest is a backtrace, of TorchScript's the source.
+/// Turns an exception of LibTorch into an Error of one line: the file, what it should have been, and the first line of
+/// LibTorch's message. The rest of the message is a backtrace or, for TorchScript, the source.
 inline Error error_of_torch(const std::filesystem::path& path, const std::string& expected,
                             const std::exception& error) {
     constexpr std::size_t most = 200;

@@ -24,7 +24,7 @@ void TorchModel::run(std::span<const float> images, std::span<double> degrees) {
     }
     const c10::InferenceMode inference;
     const MixedPrecision precision(precision_, device_.type());
-    // from_blob takes no pointer to const; nothing writes to it.
+    // from_blob() takes no pointer to const, but nothing writes through this one.
     const torch::Tensor input = torch::from_blob(const_cast<float*>(images.data()), {count, 1, size, size}).to(device_);
     const torch::Tensor values = forward_(input).select(1, degenerate_output).to(torch::kCPU, torch::kFloat64);
     std::copy_n(values.contiguous().data_ptr<double>(), degrees.size(), degrees.begin());

@@ -12,7 +12,7 @@ namespace ddtool::train_torch {
 /// Runs a function of LibTorch on images in plain memory.
 class TorchModel : public DegreeModel {
 public:
-    /// Images [n, 1, size_px, size_px] to the two values [n, 2].
+    /// Maps images [n, 1, size_px, size_px] to the two values [n, 2].
     using Forward = std::function<torch::Tensor(const torch::Tensor& images)>;
 
     TorchModel(ModelDescription description, Forward forward, const train::RunOptions& options);

@@ -21,7 +21,7 @@ using train::TrainSettings;
 constexpr const char* last_name = "last.pt";
 constexpr const char* best_name = "best.pt";
 
-/// Samples of a part. Throws Error where one of the classes is missing.
+/// The labelled samples of a part. Throws Error if one of the classes has none.
 std::vector<std::size_t> part_of(const dataset::Dataset& data, const TrainSettings& settings, dataset::Part part,
                                  const std::filesystem::path& folder) {
     const dataset::LabelRule rule = train::label_rule_of(settings);
@@ -156,7 +156,8 @@ void Trainer::take_step(train::Batch& batch, std::size_t steps_per_epoch) {
                     (request_.out / last_name).string() + " holds the training before it");
     }
     optimizer_->zero_grad();
-    // The mean over all ranks' samples, of which a rank may have one more than another.
+    // Divides by the mean number of samples per rank. After the gradients are averaged over the ranks, each sample has
+    // the same weight, although one rank may have one sample more than another.
     const double samples_per_rank = communicator_.sums({static_cast<double>(batch.classes.size())}).front() /
                                     static_cast<double>(state_.world_size);
     (losses.sum() / samples_per_rank).backward();
@@ -184,7 +185,7 @@ void Trainer::end_epoch(std::size_t steps) {
     if (communicator_.leads()) {
         found = validate(*network_, data_, validation_samples_, state_.settings, weights_, device_);
     }
-    // Every rank must draw the same conclusion, so all take rank 0's figures.
+    // All ranks use the figures of rank 0, so that all of them draw the same conclusions.
     const std::vector<double> figures = communicator_.of_leader({found.loss, found.accuracy, found.f1, found.auc});
     state_.history.push_back({.epoch = state_.epoch + 1,
                               .learning_rate = rate_of_step(steps - 1, steps),
@@ -247,7 +248,8 @@ void Trainer::show_progress(std::size_t steps_per_epoch) {
     progress_.update(done / static_cast<double>(state_.settings.epochs * steps_per_epoch), seen);
 }
 
-/// All ranks stop at the same step: one that went on alone would wait for the others in vain.
+/// Whether the training is to stop. All ranks must stop at the same step: a rank that went on alone would wait for the
+/// others without end.
 bool Trainer::stopped() const { return communicator_.sums({interrupt_.made() ? 1.0 : 0.0}).front() > 0.0; }
 
 }  // namespace ddtool::train_torch

@@ -15,12 +15,12 @@
 
 namespace ddtool::train_torch {
 
-/// Fits a network to a data set. On the CPU with a given number of threads the weights depend on settings and data
-/// alone, however often the training was stopped and resumed.
+/// Trains a network on a data set. On the CPU, with a given number of threads, the weights depend only on the settings
+/// and the data, however often the training was stopped and resumed.
 class Trainer {
 public:
-    /// Starts, or with request.resume goes on from out/last.pt where there is one. Throws UsageError for settings that
-    /// make no sense or are not those of the checkpoint, Error for a data set that does not fit.
+    /// Starts a training, or with request.resume continues from out/last.pt if it exists. Throws UsageError for
+    /// settings that are invalid or differ from those of the checkpoint, and Error for a data set that does not fit.
     Trainer(const train::TrainRequest& request, const Communicator& communicator);
 
     /// Trains to the end, or until the user asks to stop. Throws Error if the loss is not a finite number; the

@@ -11,7 +11,8 @@ namespace ddtool::train_torch {
 namespace {
 
 struct Scores {
-    std::vector<double> margins;  ///< logit of degenerate less that of not degenerate: positive means degenerate
+    /// logit of "degenerate" minus logit of "not degenerate"; the decision is "degenerate" where it is positive
+    std::vector<double> margins;
     std::vector<bool> degenerate;
     double loss = 0.0;
 };

@@ -16,7 +16,7 @@ struct ValidationResult {
     double auc = 0.0;
 };
 
-/// The network in evaluation mode over samples of a data set, as they are.
+/// Runs the network in evaluation mode over samples of a data set, without augmentation.
 ValidationResult validate(Network& network, const dataset::Dataset& data, const std::vector<std::size_t>& samples,
                           const train::TrainSettings& settings, const ClassWeights& weights, torch::Device device);
 
