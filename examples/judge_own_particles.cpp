@@ -21,6 +21,6 @@ static ddtool::ParticleSnapshot swarm(double share_left) {
 }
 
 int main() {
-    const ddtool::DegeneracyDetector detector = ddtool::native::network_detector(ddtool::native::shipped_model());
+    const ddtool::DegeneracyDetector detector = ddtool::network_detector(ddtool::shipped_model());
     std::cout << "held " << detector(swarm(0.0)).degree << ", open " << detector(swarm(1.0)).degree << '\n';
 }

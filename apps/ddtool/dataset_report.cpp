@@ -26,30 +26,30 @@ std::vector<std::string> warnings_of(const dataset::Manifest& manifest) {
     return warnings;
 }
 
-std::vector<html::Picture> histograms_in(const std::filesystem::path& pictures) {
-    return {html::picture_of_file("What the label dispersion looks at: R", pictures / "dispersion.png"),
-            html::picture_of_file("What the label fisher looks at: the physical ratio", pictures / "fisher.png")};
+std::vector<report::Picture> histograms_in(const std::filesystem::path& pictures) {
+    return {report::picture_of_file("What the label dispersion looks at: R", pictures / "dispersion.png"),
+            report::picture_of_file("What the label fisher looks at: the physical ratio", pictures / "fisher.png")};
 }
 
-std::vector<html::Picture> montages_in(const std::filesystem::path& pictures) {
-    std::vector<html::Picture> montages;
+std::vector<report::Picture> montages_in(const std::filesystem::path& pictures) {
+    std::vector<report::Picture> montages;
     for (const dataset::LabelRule rule : {dataset::LabelRule::fisher, dataset::LabelRule::dispersion}) {
         for (const Swarm swarm : {Swarm::response, Swarm::step, Swarm::absolute}) {
             const std::string title = std::string("Label ") + dataset::label_rule_names[dataset::index_of(rule)] +
                                       ", image " + swarm_names[dataset::index_of(swarm)];
-            montages.push_back(html::picture_of_file(title, pictures / dataset::montage_name(rule, swarm)));
+            montages.push_back(report::picture_of_file(title, pictures / dataset::montage_name(rule, swarm)));
         }
     }
     return montages;
 }
 
-html::Page dataset_page(const std::filesystem::path& folder, const std::filesystem::path& pictures,
-                        const dataset::Dataset& data) {
+report::Page dataset_page(const std::filesystem::path& folder, const std::filesystem::path& pictures,
+                          const dataset::Dataset& data) {
     const dataset::Manifest& manifest = data.manifest();
-    const std::array facts{html::Fact{"samples", std::to_string(data.size())},
-                           html::Fact{"runs", std::to_string(manifest.runs.size())},
-                           html::Fact{"sources", std::to_string(manifest.sources.size())}};
-    html::Page page("ddtool build-dataset", html::name_of(folder));
+    const std::array facts{report::Fact{"samples", std::to_string(data.size())},
+                           report::Fact{"runs", std::to_string(manifest.runs.size())},
+                           report::Fact{"sources", std::to_string(manifest.sources.size())}};
+    report::Page page("ddtool build-dataset", report::folder_name(folder));
     page.warnings(warnings_of(manifest)).facts(facts);
     page.section("Samples by class and part").table(dataset::class_table(manifest.counts));
     page.section("Samples by group").table(dataset::group_table(data));
@@ -81,7 +81,7 @@ void draw_dataset(const std::filesystem::path& folder, const dataset::Dataset& d
 
 bool write_dataset_page(const std::filesystem::path& folder, const std::filesystem::path& pictures,
                         const dataset::Dataset& data) {
-    return html::write_page(folder / "report.html", [&] { return dataset_page(folder, pictures, data); });
+    return report::write_page(folder / "report.html", [&] { return dataset_page(folder, pictures, data); });
 }
 
 }  // namespace ddtool

@@ -11,16 +11,16 @@ namespace ddtool {
 
 DetectorTable all_detectors() {
     DetectorTable detectors;
-    detectors.add_file_kind(
-        ".pt", [](const std::string& file) { return native::network_detector(train::engine().load(file, {})); });
+    detectors.add_file_kind(".pt",
+                            [](const std::string& file) { return network_detector(train::engine().load(file, {})); });
     return detectors;
 }
 
 ImageSettings image_seen_by(const std::string& detector) {
     const std::filesystem::path file = detector;
     const auto model = file.extension() == ".pt"            ? train::engine().load(file, {})
-                       : file.extension() == ".safetensors" ? native::load_model(file)
-                                                            : native::shipped_model();
+                       : file.extension() == ".safetensors" ? load_model(file)
+                                                            : shipped_model();
     return model->description().image;
 }
 

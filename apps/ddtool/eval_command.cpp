@@ -87,9 +87,9 @@ void print(const dataset::Dataset& data, const std::vector<Evaluation>& evaluati
     std::cout << text;
 }
 
-html::Page page_of(const std::filesystem::path& folder, const std::string& data_name, const dataset::Dataset& data,
-                   const std::vector<Evaluation>& evaluations, const Task& task) {
-    html::Page page("ddtool eval", html::name_of(folder));
+report::Page page_of(const std::filesystem::path& folder, const std::string& data_name, const dataset::Dataset& data,
+                     const std::vector<Evaluation>& evaluations, const Task& task) {
+    report::Page page("ddtool eval", report::folder_name(folder));
     page.text("Data set " + data_name + ", " + name_of(task) + ".");
     judge::add_evaluations(page, folder, data, evaluations, task);
     return page;
@@ -145,8 +145,8 @@ ExitCode evaluate(const EvalRequest& request, const Json& settings) {
         log_info("pictures in " + request.out);
     }
     const bool has_page =
-        request.out.empty() || html::write_page(std::filesystem::path(request.out) / "report.html", [&] {
-            return page_of(request.out, html::name_of(request.data), data, evaluations, task);
+        request.out.empty() || report::write_page(std::filesystem::path(request.out) / "report.html", [&] {
+            return page_of(request.out, report::folder_name(request.data), data, evaluations, task);
         });
     if (request.as_json) {
         std::cout << report;

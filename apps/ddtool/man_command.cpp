@@ -87,7 +87,7 @@ ManPage page(const HelpText& described, const std::string& page_name, const std:
     const std::string name = literal(page_name);
     return {
         page_name,
-        ".TH " + name + " 1 \"\" \"" + literal(program_version()) + "\"\n" +
+        ".TH " + name + R"( 1 "" ")" + literal(program_version()) + "\"\n" +
             section("NAME", name + " \\- " + literal(described.summary) + "\n") +
             section("SYNOPSIS", literal(synopsis) + "\n") + section("ARGUMENTS", options_of(described, true)) +
             section("OPTIONS", options_of(described, false)) + section("COMMANDS", entries_of_commands(described)) +

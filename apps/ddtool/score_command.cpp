@@ -68,7 +68,7 @@ ExitCode score(const ScoreRequest& request, const Json& settings) {
         result.relations = read_and_score_relations(estimate, request.relations, options.ate.max_time_difference_s);
     }
     if (result.absolute && !request.plot.empty()) {
-        plot::error_figure(*result.absolute).write_png(request.plot);
+        ate_figure(*result.absolute).write_png(request.plot);
     }
     std::cout << (request.as_json ? score_json(result).dump(2) + "\n" : score_table(result).text());
     if (result.relations && result.relations->skipped > 0) {

@@ -11,8 +11,8 @@
 namespace ddtool {
 namespace {
 
-html::Page train_page(const train::Engine& engine, const train::TrainRequest& request,
-                      const train::TrainResult& result) {
+report::Page train_page(const train::Engine& engine, const train::TrainRequest& request,
+                        const train::TrainResult& result) {
     const std::filesystem::path pictures = request.out / "pictures";
     const judge::Task task{.label = train::label_rule_of(request.settings),
                            .split = train::split_of(request.settings),
@@ -23,11 +23,12 @@ html::Page train_page(const train::Engine& engine, const train::TrainRequest& re
     const std::array evaluations{judge::evaluate(data, model, task)};
     judge::draw_evaluations(pictures, data, evaluations, evaluations.front());
 
-    html::Page page("ddtool train", html::name_of(request.out));
-    page.text("Data set " + html::name_of(request.data) + ". All but the curves is of the best epoch's network on " +
-              name_of(task) + ", by which it was chosen; ddtool eval tells how it does on the part test.");
+    report::Page page("ddtool train", report::folder_name(request.out));
+    page.text("Data set " + report::folder_name(request.data) +
+              ". All but the curves is of the best epoch's network on " + name_of(task) +
+              ", by which it was chosen; ddtool eval tells how it does on the part test.");
     page.section("Training").table(result_table(result));
-    page.pictures(std::array{html::picture_of_file("Curves over the epochs", request.out / "curves.png")});
+    page.pictures(std::array{report::picture_of_file("Curves over the epochs", request.out / "curves.png")});
     judge::add_evaluations(page, pictures, data, evaluations, task);
     page.section("Settings").text("Made by " + program_version() + ".").values("Settings", Json(request.settings));
     return page;
@@ -53,7 +54,7 @@ Json result_json(const train::TrainRequest& request, const train::TrainResult& r
 
 bool write_train_page(const train::Engine& engine, const train::TrainRequest& request,
                       const train::TrainResult& result) {
-    return html::write_page(request.out / "report.html", [&] { return train_page(engine, request, result); });
+    return report::write_page(request.out / "report.html", [&] { return train_page(engine, request, result); });
 }
 
 }  // namespace ddtool

@@ -8,8 +8,6 @@ import re
 import sys
 
 NAMESPACE = re.compile(r"^namespace ddtool::(\w+)", re.MULTILINE)
-# Inner namespaces that are older than the rule.
-OLDER = {"foxglove", "html", "native", "plot", "ros"}
 INCLUDE = re.compile(r'^\s*#\s*include "([^"]+/[^"]+)"', re.MULTILINE)
 # The layers ("floors") inside a module that is one target. A layer may only use the layers before it.
 FLOORS = {"logs": ["logs/containers", "logs/messages", "logs/stream"]}
@@ -71,7 +69,7 @@ def problems_of(module, earlier, modules):
 def wrong_namespaces(module, modules):
     for path in module.files(modules):
         for name in NAMESPACE.findall(path.read_text()):
-            if name != module.name and name not in OLDER:
+            if name != module.name:
                 yield f"{path}: the namespace ddtool::{name} is not called like the module, {module.name}"
 
 

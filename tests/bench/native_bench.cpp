@@ -13,7 +13,7 @@ namespace ddtool {
 namespace {
 
 void write_model(const std::filesystem::path& path, const std::string& network) {
-    native::write_safetensors(path, test::drawn_dd_model(network, 224));
+    network::write_safetensors(path, test::drawn_dd_model(network, 224));
 }
 
 /// Measures the loading of a network, which a command does once at its start.
@@ -21,7 +21,7 @@ void load(benchmark::State& state, const std::string& network) {
     const test::TemporaryFolder folder;
     write_model(folder / "model.safetensors", network);
     for ([[maybe_unused]] auto _ : state) {
-        benchmark::DoNotOptimize(native::load_model(folder / "model.safetensors"));
+        benchmark::DoNotOptimize(load_model(folder / "model.safetensors"));
     }
 }
 BENCHMARK_CAPTURE(load, ddmodel_lite, "ddmodel-lite")->Unit(benchmark::kMillisecond);
@@ -39,7 +39,7 @@ void snapshot_to_degree(benchmark::State& state, const std::string& network) {
     const std::vector<SnapshotParticle> swarm = test::normal_swarm(30, 1, {2.0, 0.5}, 2.0);
     const test::TemporaryFolder folder;
     write_model(folder / "model.safetensors", network);
-    const auto model = native::load_model(folder / "model.safetensors");
+    const auto model = load_model(folder / "model.safetensors");
     ParticleRenderer renderer(model->description().image);
     std::vector<float> image(renderer.settings().size_px * renderer.settings().size_px);
     std::vector<double> degree(1);

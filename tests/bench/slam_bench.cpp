@@ -27,7 +27,7 @@ struct MappedScan {
 
 void prepare_scan(benchmark::State& state) {
     const MappedScan scan;
-    for (auto _ : state) {
+    for ([[maybe_unused]] auto _ : state) {
         benchmark::DoNotOptimize(scan_points(scan.frame, {}));
     }
 }
@@ -37,7 +37,7 @@ void match_scan(benchmark::State& state) {
     const MappedScan scan;
     ScanMatcher matcher({}, scan.grid.cell_size_m());
     const Pose2 start = scan.frame.odom_from_robot * Pose2{0.05, -0.03, 0.03};
-    for (auto _ : state) {
+    for ([[maybe_unused]] auto _ : state) {
         benchmark::DoNotOptimize(matcher.match(scan.grid, scan.match_points, start, {}));
     }
     state.counters["points"] = static_cast<double>(scan.points.size());
@@ -47,7 +47,7 @@ BENCHMARK(match_scan)->Unit(benchmark::kMicrosecond);
 void evaluate(benchmark::State& state) {
     const MappedScan scan;
     ScanMatcher matcher({}, scan.grid.cell_size_m());
-    for (auto _ : state) {
+    for ([[maybe_unused]] auto _ : state) {
         benchmark::DoNotOptimize(matcher.evaluate(scan.grid, scan.match_points, scan.frame.odom_from_robot));
     }
 }
@@ -56,7 +56,7 @@ BENCHMARK(evaluate)->Unit(benchmark::kMicrosecond);
 void insert_scan(benchmark::State& state) {
     MappedScan scan;
     ScanInserter inserter;
-    for (auto _ : state) {
+    for ([[maybe_unused]] auto _ : state) {
         inserter.insert(scan.grid, scan.points, scan.frame.odom_from_robot);
     }
 }
@@ -64,7 +64,7 @@ BENCHMARK(insert_scan)->Unit(benchmark::kMicrosecond);
 
 void copy_grid(benchmark::State& state) {
     const MappedScan scan;
-    for (auto _ : state) {
+    for ([[maybe_unused]] auto _ : state) {
         OccupancyGrid copy = scan.grid;
         benchmark::DoNotOptimize(copy);
     }

@@ -7,7 +7,7 @@ int main(int /*argc*/, char** argv) {
     scan.ranges_m.assign(30, 2.0F);
     ddtool::Ros2Writer log(argv[1]);
     for (; scan.stamp_ns < 1'000'000'000; scan.stamp_ns += 100'000'000) {
-        log.write("/scan", scan.stamp_ns, ddtool::ros::to_message(scan, "laser"));
+        log.write("/scan", scan.stamp_ns, ddtool::scan_message(scan, "laser"));
     }
     log.close();
 }

@@ -69,7 +69,7 @@ void read_metadata(std::span<const char> content) {
 }
 
 void read_network(std::span<const char> content) {
-    (void)native::load_model(std::string_view(content.data(), content.size()), "model.safetensors");
+    (void)load_model(std::string_view(content.data(), content.size()), "model.safetensors");
 }
 
 /// Reads the input as the header of a network file. Zeros are appended in place of the weights, so that the reader gets
@@ -81,7 +81,7 @@ void read_network_header(std::span<const char> content) {
 }
 
 void read_description(std::span<const char> content) {
-    (void)native::parse_description(std::string(content.begin(), content.end()), "model");
+    (void)parse_model_description(std::string(content.begin(), content.end()), "model");
 }
 
 /// Does the same as train/torch/checkpoint.cpp, which needs LibTorch.
@@ -137,7 +137,7 @@ void read_trajectory(std::span<const char> content) { (void)read_tum(input_file(
 void read_relation_file(std::span<const char> content) { (void)read_relations(input_file(content, "log.relations")); }
 
 void read_request(std::span<const char> content) {
-    (void)foxglove::parse_request(std::string(content.begin(), content.end()));
+    (void)parse_foxglove_request(std::string(content.begin(), content.end()));
 }
 
 using Read = void (*)(std::span<const char>);

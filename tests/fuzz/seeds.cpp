@@ -71,7 +71,7 @@ std::string as_json(const std::string& schema) {
     return schema == "foxglove.FrameTransform" ? transform : R"({"transforms":[)" + transform + "]}";
 }
 
-void fill(foxglove::wire::FrameTransform& transform) {
+void fill(FoxgloveFrameTransform& transform) {
     transform.mutable_timestamp()->set_seconds(1);
     transform.set_parent_frame_id("a");
     transform.set_child_frame_id("b");
@@ -81,7 +81,7 @@ void fill(foxglove::wire::FrameTransform& transform) {
 
 std::string as_protobuf(const std::string& schema) {
     if (schema == "foxglove.LaserScan") {
-        foxglove::wire::LaserScan scan;
+        FoxgloveLaserScan scan;
         scan.mutable_timestamp()->set_nanos(2);
         scan.set_frame_id("a");
         scan.mutable_pose()->mutable_orientation()->set_w(1.0);
@@ -91,12 +91,12 @@ std::string as_protobuf(const std::string& schema) {
         return scan.SerializeAsString();
     }
     if (schema == "foxglove.PoseInFrame") {
-        foxglove::wire::PoseInFrame pose;
+        FoxglovePoseInFrame pose;
         pose.set_frame_id("a");
         pose.mutable_pose()->mutable_position()->set_x(1.0);
         return pose.SerializeAsString();
     }
-    foxglove::wire::FrameTransforms transforms;
+    FoxgloveFrameTransforms transforms;
     fill(*transforms.add_transforms());
     return schema == "foxglove.FrameTransform" ? transforms.transforms(0).SerializeAsString()
                                                : transforms.SerializeAsString();
@@ -105,9 +105,9 @@ std::string as_protobuf(const std::string& schema) {
 /// The first message of that type in the example recording, to which a pose and a scan's Fisher information are added.
 std::string as_ros(const MessageType& type) {
     test::Recording recording = test::example_recording();
-    test::record(recording, "/pose", 1, ros::pose_message(1, "odom", {1.0, 2.0, 0.5}));
+    test::record(recording, "/pose", 1, pose_message(1, "odom", {1.0, 2.0, 0.5}));
     test::record(recording, "/fisher_information", 1,
-                 ros::Float64MultiArray{{{"row", 3, 9}, {"column", 3, 3}}, 0, std::vector<double>(9, 1.0)});
+                 RosFloat64MultiArray{{{"row", 3, 9}, {"column", 3, 3}}, 0, std::vector<double>(9, 1.0)});
     const bool ros1 = type.encoding == std::string("ros1");
     const std::string schema = type.schema == std::string("tf/tfMessage") ? "tf2_msgs/TFMessage" : type.schema;
     const auto found = std::ranges::find_if(recording, [&](const test::RecordedMessage& message) {
@@ -131,7 +131,7 @@ void write_messages(const fs::path& folder) {
 /// because changing them would find nothing.
 void write_networks(const fs::path& folder) {
     const test::TemporaryFolder temporary;
-    native::write_safetensors(temporary / "model", test::drawn_dd_model("ddmodel-lite", 16));
+    network::write_safetensors(temporary / "model", test::drawn_dd_model("ddmodel-lite", 16));
     const std::string whole = read_file(temporary / "model");
     std::uint64_t header_bytes = 0;
     std::memcpy(&header_bytes, whole.data(), sizeof header_bytes);

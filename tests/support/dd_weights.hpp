@@ -18,7 +18,7 @@ public:
     explicit DrawnWeights(std::uint64_t seed) : random_({seed}) {}
 
     void add(const std::string& name, const std::vector<std::int64_t>& shape, double middle, double spread) {
-        native::NamedTensor tensor{name, shape, {}};
+        network::NamedTensor tensor{name, shape, {}};
         std::int64_t count = 1;
         for (const std::int64_t length : shape) {
             count *= length;
@@ -44,7 +44,7 @@ public:
         add(prefix + ".weight", {width}, 1.0, 0.5);
         add(prefix + ".bias", {width}, 0.0, 0.5);
     }
-    void add_encoder(const native::EncoderRow& row) {
+    void add_encoder(const network::EncoderRow& row) {
         add_layer_norm("encoder.attention_norm", row.width);
         add_linear("encoder.query_key_value", 3 * row.width, row.width);
         add_linear("encoder.attention_out", row.width, row.width);
@@ -53,19 +53,19 @@ public:
         add_linear("encoder.feed_forward_out", row.width, row.feed_forward);
     }
 
-    std::vector<native::NamedTensor> tensors;
+    std::vector<network::NamedTensor> tensors;
 
 private:
     RandomStream random_;
 };
 
 /// All tensors of a network of the DD-Model's kind, drawn at random.
-inline std::vector<native::NamedTensor> drawn_dd_weights(const native::DDModelTable& table, std::int64_t size_px) {
+inline std::vector<network::NamedTensor> drawn_dd_weights(const network::DDModelTable& table, std::int64_t size_px) {
     DrawnWeights weights(1);
     weights.add_convolution("stem", table.stem.channels, 1, table.stem.kernel_px);
     std::int64_t channels = table.stem.channels;
     int number = 0;
-    for (const native::GroupRow& group : table.groups) {
+    for (const network::GroupRow& group : table.groups) {
         for (std::int64_t block = 0; block < group.blocks; ++block) {
             const std::string prefix = "groups." + std::to_string(number++);
             weights.add_convolution(prefix + ".first", group.channels, channels, 3);
@@ -77,7 +77,7 @@ inline std::vector<native::NamedTensor> drawn_dd_weights(const native::DDModelTa
         }
     }
     weights.add_linear("embedding", table.encoder.width, channels);
-    weights.add("position", {native::token_count(table, size_px), table.encoder.width}, 0.0, 0.5);
+    weights.add("position", {network::token_count(table, size_px), table.encoder.width}, 0.0, 0.5);
     weights.add_encoder(table.encoder);
     weights.add_layer_norm("norm", table.encoder.width);
     weights.add_linear("head", 2, table.encoder.width);
@@ -85,13 +85,13 @@ inline std::vector<native::NamedTensor> drawn_dd_weights(const native::DDModelTa
 }
 
 /// The content of a file that `ddtool export` would write for such a network.
-inline native::PlainWeights drawn_dd_model(const std::string& network, std::size_t size_px) {
-    native::ModelDescription about;
+inline network::PlainWeights drawn_dd_model(const std::string& network, std::size_t size_px) {
+    ModelDescription about;
     about.network = network;
     about.loss = "cross-entropy";
     about.image.size_px = size_px;
     return {Json(about).dump(),
-            drawn_dd_weights(*native::find_ddmodel_table(network), static_cast<std::int64_t>(size_px))};
+            drawn_dd_weights(*network::find_ddmodel_table(network), static_cast<std::int64_t>(size_px))};
 }
 
 }  // namespace ddtool::test

@@ -18,7 +18,7 @@ class MessageLog {
 public:
     template <typename Message>
     MessageLog& add(const std::string& topic, std::int64_t stamp_ns, const Message& message) {
-        return add_bytes(topic, "cdr", Message::type_name, stamp_ns, ros::encode_cdr(message));
+        return add_bytes(topic, "cdr", Message::type_name, stamp_ns, encode_cdr(message));
     }
     MessageLog& add_bytes(const std::string& topic, const std::string& encoding, const std::string& type,
                           std::int64_t stamp_ns, std::vector<std::byte> data) {

@@ -33,21 +33,21 @@ using Recording = std::vector<RecordedMessage>;
 
 template <typename Message>
 void record(Recording& recording, const std::string& topic, std::int64_t stamp_ns, const Message& message) {
-    recording.push_back({topic, Message::type_name, stamp_ns, encode_ros1(message), ros::encode_cdr(message)});
+    recording.push_back({topic, Message::type_name, stamp_ns, encode_ros1(message), encode_cdr(message)});
 }
 
 /// A recording of a robot that drives straight on for a second, with a scan every 100 ms, odometry every 40 ms, and the
 /// laser in front of the robot's centre.
 inline Recording example_recording() {
     Recording recording;
-    record(recording, "/tf", 10'000'000, ros::transform_message(10'000'000, "base", "laser", {0.2, 0.1, 0.0}));
+    record(recording, "/tf", 10'000'000, transform_message(10'000'000, "base", "laser", {0.2, 0.1, 0.0}));
     for (std::int64_t stamp_ns = 20'000'000; stamp_ns < 1'000'000'000; stamp_ns += 20'000'000) {
         const double x_m = 1e-9 * static_cast<double>(stamp_ns);
         if (stamp_ns % 40'000'000 == 0) {
-            record(recording, "/odom", stamp_ns, ros::odometry_message(stamp_ns, "odom", "base", {x_m, 0.0, 0.1}));
+            record(recording, "/odom", stamp_ns, odometry_message(stamp_ns, "odom", "base", {x_m, 0.0, 0.1}));
         }
         if (stamp_ns % 100'000'000 == 0) {
-            ros::LaserScan scan;
+            RosLaserScan scan;
             scan.header = {{stamp_ns}, "laser"};
             scan.angle_min = -1.0F;
             scan.angle_increment = 0.5F;

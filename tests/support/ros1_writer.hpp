@@ -24,11 +24,11 @@ private:
         write(static_cast<std::uint32_t>(text.size()));
         append(std::as_bytes(std::span(text)));
     }
-    void write(const ros::Time& time) {
+    void write(const RosTime& time) {
         write(static_cast<std::uint32_t>(time.ns / 1'000'000'000));
         write(static_cast<std::uint32_t>(time.ns % 1'000'000'000));
     }
-    void write(const ros::Header& header) {
+    void write(const RosHeader& header) {
         write(std::uint32_t{7});
         (*this)(header.stamp, header.frame_id);
     }

@@ -32,7 +32,7 @@ protected:
     Message decode(const std::string& topic) {
         const OwnedMessage& message = messages_.at(topic);
         EXPECT_EQ(message.channel.schema.name, Message::type_name);
-        const auto decoded = ros::decode_cdr<Message>(std::as_bytes(std::span(message.data)));
+        const auto decoded = decode_cdr<Message>(std::as_bytes(std::span(message.data)));
         EXPECT_TRUE(decoded);
         return decoded.value_or(Message{});
     }
@@ -43,11 +43,11 @@ private:
     std::map<std::string, Json> expected_;
 };
 
-void expect_vector(const ros::Vector3& vector, const Json& json) {
+void expect_vector(const RosVector3& vector, const Json& json) {
     EXPECT_EQ((Json{{"x", vector.x}, {"y", vector.y}, {"z", vector.z}}), json);
 }
 
-void expect_pose(const ros::Pose& pose, const Json& position, const Json& orientation) {
+void expect_pose(const RosPose& pose, const Json& position, const Json& orientation) {
     expect_vector(pose.position, position);
     EXPECT_EQ((Json{{"x", pose.orientation.x},
                     {"y", pose.orientation.y},
@@ -56,7 +56,7 @@ void expect_pose(const ros::Pose& pose, const Json& position, const Json& orient
               orientation);
 }
 
-void expect_header(const ros::Header& header, const Json& json) {
+void expect_header(const RosHeader& header, const Json& json) {
     const Json& stamp = json.at("stamp");
     EXPECT_EQ(header.stamp.ns,
               stamp.at("sec").get<std::int64_t>() * 1'000'000'000 + stamp.at("nanosec").get<std::int64_t>());
@@ -64,7 +64,7 @@ void expect_header(const ros::Header& header, const Json& json) {
 }
 
 TEST_F(Ros2Sample, LaserScan) {
-    const auto scan = decode<ros::LaserScan>("/scan");
+    const auto scan = decode<RosLaserScan>("/scan");
     const Json& json = expected("/scan");
     expect_header(scan.header, json.at("header"));
     EXPECT_EQ(scan.angle_min, json.at("angle_min"));
@@ -79,7 +79,7 @@ TEST_F(Ros2Sample, LaserScan) {
 }
 
 TEST_F(Ros2Sample, Odometry) {
-    const auto odometry = decode<ros::Odometry>("/odom");
+    const auto odometry = decode<RosOdometry>("/odom");
     const Json& json = expected("/odom");
     const Json& pose = json.at("pose");
     const Json& twist = json.at("twist");
@@ -94,7 +94,7 @@ TEST_F(Ros2Sample, Odometry) {
 
 TEST_F(Ros2Sample, Transforms) {
     for (const std::string topic : {"/tf", "/tf_static"}) {
-        const auto message = decode<ros::TFMessage>(topic);
+        const auto message = decode<RosTFMessage>(topic);
         const Json& transforms = expected(topic).at("transforms");
         ASSERT_EQ(message.transforms.size(), transforms.size());
         for (std::size_t index = 0; index < transforms.size(); ++index) {
@@ -108,7 +108,7 @@ TEST_F(Ros2Sample, Transforms) {
 }
 
 TEST_F(Ros2Sample, PoseStamped) {
-    const auto truth = decode<ros::PoseStamped>("/truth");
+    const auto truth = decode<RosPoseStamped>("/truth");
     const Json& json = expected("/truth");
     expect_header(truth.header, json.at("header"));
     expect_pose(truth.pose, json.at("pose").at("position"), json.at("pose").at("orientation"));

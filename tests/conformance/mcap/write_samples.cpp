@@ -28,22 +28,22 @@ struct Sample {
 
 template <typename Message>
 Sample sample(std::string topic, std::int64_t log_time_ns, const Message& message, Json json) {
-    return {std::move(topic), Message::type_name, log_time_ns, ros::encode_cdr(message), std::move(json)};
+    return {std::move(topic), Message::type_name, log_time_ns, encode_cdr(message), std::move(json)};
 }
 
 constexpr std::int64_t stamp_ns = 1'700'000'000'000'000'250;
 
-ros::Header header() { return {{stamp_ns}, "laser"}; }
+RosHeader header() { return {{stamp_ns}, "laser"}; }
 Json header_json() { return {{"stamp", {{"sec", 1'700'000'000}, {"nanosec", 250}}}, {"frame_id", "laser"}}; }
 
-ros::Pose pose(double x) { return {{x, -x, 0.5}, {0.0, 0.0, 0.6, 0.8}}; }
+RosPose pose(double x) { return {{x, -x, 0.5}, {0.0, 0.0, 0.6, 0.8}}; }
 Json vector_json(double x) { return {{"x", x}, {"y", -x}, {"z", 0.5}}; }
 Json pose_json(double x) {
     return {{"position", vector_json(x)}, {"orientation", {{"x", 0}, {"y", 0}, {"z", 0.6}, {"w", 0.8}}}};
 }
 
 Sample scan(std::int64_t log_time_ns, std::size_t beams) {
-    ros::LaserScan scan{header(), -0.5F, 0.5F, 0.25F, 0.125F, 0.0625F, 0.25F, 30.0F, {}, {}};
+    RosLaserScan scan{header(), -0.5F, 0.5F, 0.25F, 0.125F, 0.0625F, 0.25F, 30.0F, {}, {}};
     for (std::size_t beam = 0; beam < beams; ++beam) {
         scan.ranges.push_back(0.5F * static_cast<float>(beam));
     }
@@ -61,7 +61,7 @@ Sample scan(std::int64_t log_time_ns, std::size_t beams) {
 }
 
 Sample transforms(std::int64_t log_time_ns) {
-    const ros::TFMessage message{{{header(), "base", pose(1.5)}, {header(), "", pose(-2.0)}}};
+    const RosTFMessage message{{{header(), "base", pose(1.5)}, {header(), "", pose(-2.0)}}};
     const auto transform = [](double x) {
         return Json{{"translation", vector_json(x)}, {"rotation", pose_json(x).at("orientation")}};
     };
@@ -72,7 +72,7 @@ Sample transforms(std::int64_t log_time_ns) {
 }
 
 Sample odometry(std::int64_t log_time_ns) {
-    ros::Odometry message{header(), "base", pose(3.25), {}, {1.0, -1.0, 0.5}, {2.0, -2.0, 0.5}, {}};
+    RosOdometry message{header(), "base", pose(3.25), {}, {1.0, -1.0, 0.5}, {2.0, -2.0, 0.5}, {}};
     message.pose_covariance[7] = 0.25;
     message.velocity_covariance[35] = 0.75;
     return sample("/odom", log_time_ns, message,
@@ -87,23 +87,23 @@ Sample odometry(std::int64_t log_time_ns) {
 Json pose_stamped_json(double x) { return {{"header", header_json()}, {"pose", pose_json(x)}}; }
 
 Sample path(std::int64_t log_time_ns) {
-    const ros::Path message{header(), {{header(), pose(1.0)}, {header(), pose(2.0)}}};
+    const RosPath message{header(), {{header(), pose(1.0)}, {header(), pose(2.0)}}};
     return sample("/path", log_time_ns, message,
                   {{"header", header_json()}, {"poses", {pose_stamped_json(1.0), pose_stamped_json(2.0)}}});
 }
 
 Sample particles(std::int64_t log_time_ns) {
-    const ros::PoseArray message{header(), {pose(0.25), pose(0.75)}};
+    const RosPoseArray message{header(), {pose(0.25), pose(0.75)}};
     return sample("/particles", log_time_ns, message,
                   {{"header", header_json()}, {"poses", {pose_json(0.25), pose_json(0.75)}}});
 }
 
 Sample truth(std::int64_t log_time_ns) {
-    return sample("/truth", log_time_ns, ros::PoseStamped{header(), pose(9.0)}, pose_stamped_json(9.0));
+    return sample("/truth", log_time_ns, RosPoseStamped{header(), pose(9.0)}, pose_stamped_json(9.0));
 }
 
 Sample map(std::int64_t log_time_ns) {
-    const ros::OccupancyGrid message{header(), {stamp_ns}, 0.0625F, 3, 2, pose(-4.0), {0, 100, -1, 50, 99, 1}};
+    const RosOccupancyGrid message{header(), {stamp_ns}, 0.0625F, 3, 2, pose(-4.0), {0, 100, -1, 50, 99, 1}};
     return sample("/map", log_time_ns, message,
                   {{"header", header_json()},
                    {"info",
@@ -126,7 +126,7 @@ void write(const std::filesystem::path& file, const McapWriterOptions& options) 
     std::map<std::string, std::uint16_t> channels;
     for (const Sample& one : samples()) {
         if (!channels.contains(one.topic)) {
-            channels[one.topic] = writer.add_channel(one.topic, "cdr", one.type, "ros2msg", ros::ros2_schema(one.type));
+            channels[one.topic] = writer.add_channel(one.topic, "cdr", one.type, "ros2msg", ros2_schema(one.type));
         }
         writer.write(channels[one.topic], one.log_time_ns, one.data);
     }

@@ -7,7 +7,7 @@
 #include "logs/messages/foxglove_json.hpp"
 #include "logs/messages/foxglove_protobuf.hpp"
 
-namespace ddtool::foxglove {
+namespace ddtool {
 namespace {
 
 std::vector<std::byte> bytes_of(const std::string& text) {
@@ -16,7 +16,7 @@ std::vector<std::byte> bytes_of(const std::string& text) {
 }
 
 std::vector<std::byte> protobuf_scan_bytes() {
-    wire::LaserScan scan;
+    FoxgloveLaserScan scan;
     scan.mutable_timestamp()->set_seconds(3);
     scan.mutable_timestamp()->set_nanos(5);
     scan.set_frame_id("laser");
@@ -45,12 +45,12 @@ void expect_the_scan(const std::optional<ScanReading>& reading) {
 }
 
 TEST(FoxgloveScan, IsTheSameInProtobufAndJson) {
-    expect_the_scan(protobuf_scan(protobuf_scan_bytes()));
-    expect_the_scan(json_scan(bytes_of(json_scan_text)));
+    expect_the_scan(foxglove_protobuf_scan(protobuf_scan_bytes()));
+    expect_the_scan(foxglove_json_scan(bytes_of(json_scan_text)));
 }
 
 TEST(FoxgloveScan, JsonNullIsNoReading) {
-    const auto scan = json_scan(bytes_of(
+    const auto scan = foxglove_json_scan(bytes_of(
         R"({"timestamp": {"sec": 0, "nsec": 0}, "frame_id": "", "start_angle": 0, "end_angle": 1, "ranges": [null]})"));
     ASSERT_TRUE(scan);
     EXPECT_TRUE(std::isnan(scan->scan.ranges_m.at(0)));
@@ -58,17 +58,17 @@ TEST(FoxgloveScan, JsonNullIsNoReading) {
 
 TEST(FoxgloveScan, AStampThatNoNumberHoldsIsNone) {
     for (const std::string seconds : {"1e66", "-1e66", "9.3e9", "18446744073709551615"}) {
-        const auto scan = json_scan(bytes_of(R"({"timestamp": {"sec": )" + seconds +
-                                             R"(, "nsec": 5}, "frame_id": "", "start_angle": 0, "end_angle": 1,)" +
-                                             R"( "ranges": []})"));
+        const auto scan = foxglove_json_scan(
+            bytes_of(R"({"timestamp": {"sec": )" + seconds +
+                     R"(, "nsec": 5}, "frame_id": "", "start_angle": 0, "end_angle": 1,)" + R"( "ranges": []})"));
         ASSERT_TRUE(scan) << seconds;
         EXPECT_EQ(scan->scan.stamp_ns, 0) << seconds;
     }
 }
 
 TEST(FoxgloveTransforms, AreTheSameInProtobufAndJson) {
-    wire::FrameTransforms message;
-    wire::FrameTransform& transform = *message.add_transforms();
+    FoxgloveFrameTransforms message;
+    FoxgloveFrameTransform& transform = *message.add_transforms();
     transform.mutable_timestamp()->set_seconds(2);
     transform.set_parent_frame_id("odom");
     transform.set_child_frame_id("base");
@@ -76,10 +76,11 @@ TEST(FoxgloveTransforms, AreTheSameInProtobufAndJson) {
     transform.mutable_rotation()->set_z(1.0);
     const std::string one = R"({"timestamp": {"sec": 2, "nsec": 0}, "parent_frame_id": "odom",
         "child_frame_id": "base", "translation": {"x": 0, "y": 4, "z": 0}, "rotation": {"x": 0, "y": 0, "z": 1, "w": 0}})";
-    for (const auto& readings : {protobuf_poses("foxglove.FrameTransforms", bytes_of(message.SerializeAsString())),
-                                 protobuf_poses("foxglove.FrameTransform", bytes_of(transform.SerializeAsString())),
-                                 json_poses("foxglove.FrameTransforms", bytes_of(R"({"transforms": [)" + one + "]}")),
-                                 json_poses("foxglove.FrameTransform", bytes_of(one))}) {
+    for (const auto& readings :
+         {foxglove_protobuf_poses("foxglove.FrameTransforms", bytes_of(message.SerializeAsString())),
+          foxglove_protobuf_poses("foxglove.FrameTransform", bytes_of(transform.SerializeAsString())),
+          foxglove_json_poses("foxglove.FrameTransforms", bytes_of(R"({"transforms": [)" + one + "]}")),
+          foxglove_json_poses("foxglove.FrameTransform", bytes_of(one))}) {
         ASSERT_TRUE(readings);
         ASSERT_EQ(readings->size(), 1U);
         const PoseReading& reading = readings->front();
@@ -92,13 +93,14 @@ TEST(FoxgloveTransforms, AreTheSameInProtobufAndJson) {
 }
 
 TEST(FoxglovePose, IsTheSameInProtobufAndJson) {
-    wire::PoseInFrame message;
+    FoxglovePoseInFrame message;
     message.set_frame_id("world");
     message.mutable_pose()->mutable_position()->set_x(1.5);
     message.mutable_pose()->mutable_orientation()->set_w(1.0);
     for (const auto& readings :
-         {protobuf_poses("foxglove.PoseInFrame", bytes_of(message.SerializeAsString())),
-          json_poses("foxglove.PoseInFrame", bytes_of(R"({"timestamp": {"sec": 0, "nsec": 0}, "frame_id": "world",
+         {foxglove_protobuf_poses("foxglove.PoseInFrame", bytes_of(message.SerializeAsString())),
+          foxglove_json_poses("foxglove.PoseInFrame",
+                              bytes_of(R"({"timestamp": {"sec": 0, "nsec": 0}, "frame_id": "world",
               "pose": {"position": {"x": 1.5, "y": 0, "z": 0}, "orientation": {"x": 0, "y": 0, "z": 0, "w": 1}}})"))}) {
         ASSERT_TRUE(readings);
         EXPECT_EQ(readings->front().frame_id, "world");
@@ -110,7 +112,7 @@ TEST(FoxgloveScan, AnyBytesGiveAScanOrNone) {
     const std::vector<std::byte> wire_bytes = protobuf_scan_bytes();
     const std::vector<std::byte> text = bytes_of(json_scan_text);
     for (std::size_t length = 0; length < text.size(); ++length) {
-        EXPECT_FALSE(json_scan(std::span(text).first(length))) << length;
+        EXPECT_FALSE(foxglove_json_scan(std::span(text).first(length))) << length;
     }
     for (std::uint64_t round = 0; round < 2000; ++round) {
         RandomStream random{23, round};
@@ -118,10 +120,10 @@ TEST(FoxgloveScan, AnyBytesGiveAScanOrNone) {
         for (int flips = 0; flips < 3; ++flips) {
             damaged[random.index(damaged.size())] = static_cast<std::byte>(random());
         }
-        const auto reading = round % 2 == 0 ? protobuf_scan(damaged) : json_scan(damaged);
+        const auto reading = round % 2 == 0 ? foxglove_protobuf_scan(damaged) : foxglove_json_scan(damaged);
         EXPECT_LE(reading.value_or(ScanReading{}).scan.ranges_m.size(), damaged.size());
     }
 }
 
 }  // namespace
-}  // namespace ddtool::foxglove
+}  // namespace ddtool

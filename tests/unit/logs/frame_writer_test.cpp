@@ -83,7 +83,7 @@ TEST(FrameWriter, LogTimesNeverStepBack) {
 
 TEST(Ros2Writer, LeavesNothingWithoutClose) {
     const test::TemporaryFolder folder;
-    { Ros2Writer(folder / "log.mcap").write("/pose", 1, ros::pose_message(1, "map", {})); }
+    { Ros2Writer(folder / "log.mcap").write("/pose", 1, pose_message(1, "map", {})); }
     EXPECT_FALSE(std::filesystem::exists(folder / "log.mcap"));
 }
 

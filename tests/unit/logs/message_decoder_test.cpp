@@ -14,8 +14,8 @@ std::optional<std::vector<PoseReading>> decoded_odometry(double x_m) {
     McapChannel channel;
     channel.topic = "/odom";
     channel.message_encoding = "cdr";
-    channel.schema.name = ros::Odometry::type_name;
-    const std::vector<std::byte> bytes = ros::encode_cdr(ros::odometry_message(1, "odom", "base", {x_m, 0.0, 0.0}));
+    channel.schema.name = RosOdometry::type_name;
+    const std::vector<std::byte> bytes = encode_cdr(odometry_message(1, "odom", "base", {x_m, 0.0, 0.0}));
     return decode_poses({.channel = &channel, .data = bytes});
 }
 

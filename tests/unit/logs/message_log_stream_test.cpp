@@ -17,8 +17,8 @@ using testing::HasSubstr;
 
 constexpr std::int64_t second = 1'000'000'000;
 
-ros::LaserScan scan_message(double stamp_s, const std::string& frame_id = "laser") {
-    ros::LaserScan scan;
+RosLaserScan scan_message(double stamp_s, const std::string& frame_id = "laser") {
+    RosLaserScan scan;
     scan.header = {{std::llround(stamp_s * 1e9)}, frame_id};
     scan.angle_min = -1.0F;
     scan.angle_increment = 0.5F;
@@ -35,14 +35,14 @@ protected:
     void scan(double stamp_s, double recorded_s) { log_.add("/scan", at(recorded_s), scan_message(stamp_s)); }
     void scan(double stamp_s) { scan(stamp_s, stamp_s); }
     void odometry(double stamp_s, double x, const std::string& topic = "/odom") {
-        log_.add(topic, at(stamp_s), ros::odometry_message(at(stamp_s), "odom", "base", {x, 0.0, 0.0}));
+        log_.add(topic, at(stamp_s), odometry_message(at(stamp_s), "odom", "base", {x, 0.0, 0.0}));
     }
     void transform(const std::string& parent, const std::string& child, const Pose2& pose, double stamp_s = 0.0,
                    const std::string& topic = "/tf_static") {
-        log_.add(topic, at(stamp_s), ros::transform_message(at(stamp_s), parent, child, pose));
+        log_.add(topic, at(stamp_s), transform_message(at(stamp_s), parent, child, pose));
     }
-    void transform(const std::string& parent, const std::string& child, const ros::Pose& pose) {
-        ros::TFMessage message = ros::transform_message(0, parent, child, {});
+    void transform(const std::string& parent, const std::string& child, const RosPose& pose) {
+        RosTFMessage message = transform_message(0, parent, child, {});
         message.transforms.front().transform = pose;
         log_.add("/tf_static", 0, message);
     }
@@ -140,7 +140,7 @@ TEST_F(Log, MirrorsAScanThatIsMountedUpsideDown) {
                                               Eigen::AngleAxisd(0.7, Eigen::Vector3d::UnitZ()) *
                                               Eigen::AngleAxisd(std::numbers::pi, Eigen::Vector3d::UnitX());
     const Eigen::Quaterniond q(base_from_laser.linear());
-    transform("base", "laser", ros::Pose{{0.3, -0.2, 0.5}, {q.x(), q.y(), q.z(), q.w()}});
+    transform("base", "laser", RosPose{{0.3, -0.2, 0.5}, {q.x(), q.y(), q.z(), q.w()}});
     odometry(1.0, 0.0);
     scan(1.0);
     const SensorFrame frame = read().at(0);
@@ -209,7 +209,7 @@ TEST_F(Log, TopicsAreChosenByOption) {
     log_.add("/scan_rear", at(1.0), scan_message(1.0, "rear"));
     odometry(1.0, 1.0);
     odometry(1.0, 2.0, "/odometry/filtered");
-    log_.add("/mocap", at(1.0), ros::pose_message(at(1.0), "world", {3.0, 0.0, 0.0}));
+    log_.add("/mocap", at(1.0), pose_message(at(1.0), "world", {3.0, 0.0, 0.0}));
     const auto frames = read({"/scan_rear", "/odometry/filtered", "/mocap", {}});
     ASSERT_EQ(frames.size(), 1U);
     EXPECT_EQ(frames[0].odom_from_robot.x_m, 2.0);
@@ -245,7 +245,7 @@ TEST_F(Log, WithoutScansTheErrorNamesWhatThereIs) {
 
 TEST_F(Log, ReadingsAreWhatTheMessageDefinitionSays) {
     constexpr float inf = std::numeric_limits<float>::infinity();
-    ros::LaserScan message = scan_message(1.0);
+    RosLaserScan message = scan_message(1.0);
     message.ranges = {5.0F, 0.0F, 0.05F, 11.0F, inf, -inf, std::nanf("")};
     message.angle_increment = -0.5F;
     log_.add("/scan", second, message);
@@ -263,12 +263,12 @@ TEST_F(Log, ReadingsAreWhatTheMessageDefinitionSays) {
 TEST_F(Log, SkipsMessagesThatCannotBeUsed) {
     odometry(1.0, 1.0);
     scan(1.0);
-    log_.add_bytes("/scan", "cdr", ros::LaserScan::type_name, at(1.1), std::vector<std::byte>(7));
-    log_.add_bytes("/odom", "cdr", ros::Odometry::type_name, at(1.1), std::vector<std::byte>(7));
-    ros::LaserScan empty = scan_message(1.2);
+    log_.add_bytes("/scan", "cdr", RosLaserScan::type_name, at(1.1), std::vector<std::byte>(7));
+    log_.add_bytes("/odom", "cdr", RosOdometry::type_name, at(1.1), std::vector<std::byte>(7));
+    RosLaserScan empty = scan_message(1.2);
     empty.ranges.clear();
     log_.add("/scan", at(1.2), empty);
-    ros::LaserScan without_angles = scan_message(1.3);
+    RosLaserScan without_angles = scan_message(1.3);
     without_angles.angle_increment = 0.0F;
     log_.add("/scan", at(1.3), without_angles);
     EXPECT_EQ(read().size(), 1U);

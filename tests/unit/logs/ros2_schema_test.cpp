@@ -6,7 +6,7 @@
 
 #include "logs/messages/ros_messages.hpp"
 
-namespace ddtool::ros {
+namespace ddtool {
 namespace {
 
 class Schema : public testing::TestWithParam<const char*> {};
@@ -28,9 +28,9 @@ TEST_P(Schema, DefinesEveryTypeThatItUses) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Types, Schema,
-                         testing::Values(TFMessage::type_name, LaserScan::type_name, Odometry::type_name,
-                                         PoseStamped::type_name, PoseArray::type_name, Path::type_name,
-                                         OccupancyGrid::type_name, Float64MultiArray::type_name));
+                         testing::Values(RosTFMessage::type_name, RosLaserScan::type_name, RosOdometry::type_name,
+                                         RosPoseStamped::type_name, RosPoseArray::type_name, RosPath::type_name,
+                                         RosOccupancyGrid::type_name, RosFloat64MultiArray::type_name));
 
 }  // namespace
-}  // namespace ddtool::ros
+}  // namespace ddtool

@@ -7,7 +7,7 @@
 #include "ddtool/base/random.hpp"
 #include "ros1_writer.hpp"
 
-namespace ddtool::ros {
+namespace ddtool {
 namespace {
 
 /// Gives every field another value, so that exchanged fields and wrong alignment are noticed.
@@ -21,7 +21,9 @@ private:
     requires std::is_arithmetic_v<Value>
     void fill(Value& value) { value = static_cast<Value>(random_.index(100)); }
     void fill(std::string& text) { text.assign(random_.index(9), 'x'); }
-    void fill(Time& time) { time.ns = 1'700'000'000'000'000'000 + static_cast<std::int64_t>(random_.index(1 << 30)); }
+    void fill(RosTime& time) {
+        time.ns = 1'700'000'000'000'000'000 + static_cast<std::int64_t>(random_.index(1 << 30));
+    }
     template <std::size_t size>
     void fill(std::array<double, size>& values) {
         for (double& value : values) {
@@ -50,8 +52,8 @@ Message filled() {
 template <typename Message>
 class RosCodec : public testing::Test {};
 
-using Messages = testing::Types<TFMessage, LaserScan, Odometry, PoseStamped, PoseArray, Path, OccupancyGrid,
-                                Float64MultiArray, ParticleSnapshot>;
+using Messages = testing::Types<RosTFMessage, RosLaserScan, RosOdometry, RosPoseStamped, RosPoseArray, RosPath,
+                                RosOccupancyGrid, RosFloat64MultiArray, RosParticleSnapshot>;
 TYPED_TEST_SUITE(RosCodec, Messages);
 
 /// Messages have no operator==. Their ROS 1 encodings are compared instead, which contain all fields and no padding.
@@ -115,7 +117,7 @@ TYPED_TEST(RosCodec, CdrOfAnyBytesNeverCrashes) {
 template <typename Message>
 class Ros1Codec : public testing::Test {};
 
-using Ros1Messages = testing::Types<TFMessage, LaserScan, Odometry, PoseStamped>;
+using Ros1Messages = testing::Types<RosTFMessage, RosLaserScan, RosOdometry, RosPoseStamped>;
 TYPED_TEST_SUITE(Ros1Codec, Ros1Messages);
 
 TYPED_TEST(Ros1Codec, GoesThereAndBackAndIsRefusedWhereItIsCut) {
@@ -129,13 +131,13 @@ TYPED_TEST(Ros1Codec, GoesThereAndBackAndIsRefusedWhereItIsCut) {
 }
 
 TEST(Cdr, KeepsTimesBefore1970) {
-    PoseStamped message;
+    RosPoseStamped message;
     message.header.stamp.ns = -1;
-    EXPECT_EQ(decode_cdr<PoseStamped>(encode_cdr(message)).value().header.stamp.ns, -1);
+    EXPECT_EQ(decode_cdr<RosPoseStamped>(encode_cdr(message)).value().header.stamp.ns, -1);
 }
 
 TEST(Cdr, IsLaidOutAsTheSpecificationSays) {
-    PoseStamped message;
+    RosPoseStamped message;
     message.header = {{2'000'000'003}, "map"};
     message.pose.position.x = 1.0;
     const std::vector<std::byte> data = encode_cdr(message);
@@ -153,4 +155,4 @@ TEST(Cdr, IsLaidOutAsTheSpecificationSays) {
 }
 
 }  // namespace
-}  // namespace ddtool::ros
+}  // namespace ddtool

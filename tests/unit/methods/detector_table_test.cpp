@@ -24,8 +24,8 @@ TEST(DetectorTable, MakesEveryDetectorItNames) {
         EXPECT_TRUE(table.make(name, {}, {})) << name;
         EXPECT_EQ(table.model_fingerprint(name), "");
     }
-    EXPECT_TRUE(table.make(native::shipped_model_name, {}, {}));
-    EXPECT_NE(table.model_fingerprint(native::shipped_model_name), "");
+    EXPECT_TRUE(table.make(shipped_model_name, {}, {}));
+    EXPECT_NE(table.model_fingerprint(shipped_model_name), "");
 }
 
 TEST(DetectorTable, NamesWhatItKnows) {

@@ -3,7 +3,7 @@
 #include "dd_weights.hpp"
 #include "near.hpp"
 
-namespace ddtool::native {
+namespace ddtool::network {
 namespace {
 
 constexpr double tolerance = 5e-6;
@@ -18,4 +18,4 @@ TEST(Linear, IsThatOfItsDefinition) {
 }
 
 }  // namespace
-}  // namespace ddtool::native
+}  // namespace ddtool::network

@@ -11,9 +11,9 @@ namespace {
 
 TEST(DDNetwork, AllocatesNothingWhenItRuns) {
     constexpr std::size_t size_px = 64;
-    const native::DDModelTable& table = native::ddmodel_lite_table();
-    native::NamedWeights weights(test::drawn_dd_weights(table, size_px));
-    native::DDNetwork network(weights, table, size_px);
+    const network::DDModelTable& table = network::ddmodel_lite_table();
+    network::NamedWeights weights(test::drawn_dd_weights(table, size_px));
+    network::DDNetwork network(weights, table, size_px);
     const std::vector<float> image(size_px * size_px, 1.0F);
     const int before = test::allocations;
     EXPECT_GT(before, 0);

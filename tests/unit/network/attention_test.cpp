@@ -2,7 +2,7 @@
 
 #include "near.hpp"
 
-namespace ddtool::native {
+namespace ddtool::network {
 namespace {
 
 constexpr std::size_t tokens = 19;
@@ -27,4 +27,4 @@ TEST(Attention, OfEqualTokensIsTheirValue) {
 }
 
 }  // namespace
-}  // namespace ddtool::native
+}  // namespace ddtool::network

@@ -5,7 +5,7 @@
 #include "dd_weights.hpp"
 #include "near.hpp"
 
-namespace ddtool::native {
+namespace ddtool::network {
 namespace {
 
 /// Relative to the largest value, which shows the size of the terms that were rounded.
@@ -77,4 +77,4 @@ INSTANTIATE_TEST_SUITE_P(
                     ConvolutionCase{16, 1, {.channels = 16}}));
 
 }  // namespace
-}  // namespace ddtool::native
+}  // namespace ddtool::network

@@ -3,7 +3,7 @@
 #include "dd_weights.hpp"
 #include "near.hpp"
 
-namespace ddtool::native {
+namespace ddtool::network {
 namespace {
 
 naive::Map naive_block(const naive::Tensors& tensors, const std::string& prefix, const naive::Map& in,
@@ -16,13 +16,13 @@ naive::Map naive_block(const naive::Tensors& tensors, const std::string& prefix,
     return out;
 }
 
-naive::Map naive_backbone(const naive::Tensors& tensors, const native::DDModelTable& table, const naive::Map& image) {
+naive::Map naive_backbone(const naive::Tensors& tensors, const network::DDModelTable& table, const naive::Map& image) {
     const auto& stem = table.stem;
     naive::Map map = naive::relu(naive::max_pool(
         naive::convolution(tensors, "stem", image, static_cast<std::size_t>(stem.channels),
                            static_cast<std::size_t>(stem.kernel_px), static_cast<std::size_t>(stem.stride))));
     int number = 0;
-    for (const native::GroupRow& group : table.groups) {
+    for (const network::GroupRow& group : table.groups) {
         for (std::int64_t block = 0; block < group.blocks; ++block) {
             map = naive_block(tensors, "groups." + std::to_string(number++), map,
                               static_cast<std::size_t>(group.channels),
@@ -32,7 +32,7 @@ naive::Map naive_backbone(const naive::Tensors& tensors, const native::DDModelTa
     return map;
 }
 
-naive::Values naive_encoder(const naive::Tensors& tensors, const native::EncoderRow& row, const naive::Values& in) {
+naive::Values naive_encoder(const naive::Tensors& tensors, const network::EncoderRow& row, const naive::Values& in) {
     const auto width = static_cast<std::size_t>(row.width);
     const auto linear = [&](const std::string& name, const naive::Values& x, std::int64_t inputs) {
         return naive::linear(tensors, "encoder." + name, x, static_cast<std::size_t>(inputs));
@@ -46,7 +46,7 @@ naive::Values naive_encoder(const naive::Tensors& tensors, const native::Encoder
     return naive::sum(attended, linear("feed_forward_out", hidden, row.feed_forward));
 }
 
-naive::Values naive_logits(const naive::Tensors& tensors, const native::DDModelTable& table, const naive::Map& image) {
+naive::Values naive_logits(const naive::Tensors& tensors, const network::DDModelTable& table, const naive::Map& image) {
     const naive::Map map = naive_backbone(tensors, table, image);
     const std::size_t count = map.side * map.side;
     naive::Values tokens;
@@ -66,13 +66,13 @@ naive::Values naive_logits(const naive::Tensors& tensors, const native::DDModelT
 }
 
 /// A network with two blocks in a group, a stride that halves an odd side, and more than one head.
-native::DDModelTable tiny_table() {
+network::DDModelTable tiny_table() {
     return {.stem = {.kernel_px = 7, .stride = 2, .channels = 16},
             .groups = {{.blocks = 1, .channels = 16, .stride = 1}, {.blocks = 2, .channels = 32, .stride = 2}},
             .encoder = {.width = 32, .heads = 2, .feed_forward = 48}};
 }
 
-void expect_naive_logits(const native::DDModelTable& table, std::size_t size_px) {
+void expect_naive_logits(const network::DDModelTable& table, std::size_t size_px) {
     const naive::Tensors tensors = test::drawn_dd_weights(table, static_cast<std::int64_t>(size_px));
     NamedWeights weights(tensors);
     DDNetwork network(weights, table, size_px);
@@ -90,9 +90,9 @@ void expect_naive_logits(const native::DDModelTable& table, std::size_t size_px)
 
 TEST(DDNetwork, IsThatOfItsDefinition) {
     expect_naive_logits(tiny_table(), 26);
-    expect_naive_logits(native::ddmodel_lite_table(), 64);
-    expect_naive_logits(native::ddmodel_table(), 24);
+    expect_naive_logits(network::ddmodel_lite_table(), 64);
+    expect_naive_logits(network::ddmodel_table(), 24);
 }
 
 }  // namespace
-}  // namespace ddtool::native
+}  // namespace ddtool::network

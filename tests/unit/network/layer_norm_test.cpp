@@ -3,7 +3,7 @@
 #include "dd_weights.hpp"
 #include "near.hpp"
 
-namespace ddtool::native {
+namespace ddtool::network {
 namespace {
 
 TEST(LayerNorm, IsThatOfItsDefinition) {
@@ -17,4 +17,4 @@ TEST(LayerNorm, IsThatOfItsDefinition) {
 }
 
 }  // namespace
-}  // namespace ddtool::native
+}  // namespace ddtool::network

@@ -11,7 +11,7 @@
 #include "temporary_folder.hpp"
 #include "thrown_text.hpp"
 
-namespace ddtool::native {
+namespace ddtool::network {
 namespace {
 
 using testing::AllOf;
@@ -28,11 +28,11 @@ protected:
         change(about);
         file_.about = about.dump();
     }
-    native::NamedTensor& tensor(const std::string& name) {
-        return *std::ranges::find(file_.tensors, name, &native::NamedTensor::name);
+    network::NamedTensor& tensor(const std::string& name) {
+        return *std::ranges::find(file_.tensors, name, &network::NamedTensor::name);
     }
-    [[nodiscard]] std::unique_ptr<native::DegreeModel> loaded() const {
-        native::write_safetensors(path_, file_);
+    [[nodiscard]] std::unique_ptr<DegreeModel> loaded() const {
+        network::write_safetensors(path_, file_);
         return load_model(path_);
     }
     [[nodiscard]] std::string error() const {
@@ -46,7 +46,7 @@ protected:
 
     test::TemporaryFolder folder_;
     std::filesystem::path path_ = folder_ / "model.safetensors";
-    native::PlainWeights file_ = test::drawn_dd_model("ddmodel-lite", size_px);
+    network::PlainWeights file_ = test::drawn_dd_model("ddmodel-lite", size_px);
 };
 
 std::vector<float> drawn_images(std::size_t count) {
@@ -135,4 +135,4 @@ TEST_F(LoadModel, RefusesABrokenDescription) {
 }
 
 }  // namespace
-}  // namespace ddtool::native
+}  // namespace ddtool::network

@@ -9,10 +9,10 @@
 #include "network/safetensors.hpp"
 
 /// The layers exactly as they are defined, in doubles. The layers of lib/network are compared with them.
-namespace ddtool::native::naive {
+namespace ddtool::network::naive {
 
 using Values = std::vector<double>;
-using Tensors = std::vector<native::NamedTensor>;
+using Tensors = std::vector<network::NamedTensor>;
 
 inline Values tensor(const Tensors& tensors, const std::string& name) {
     const auto found = std::find_if(tensors.begin(), tensors.end(), [&](const auto& t) { return t.name == name; });
@@ -181,4 +181,4 @@ inline Values attention(const Values& query_key_value, std::size_t width, std::s
     return out;
 }
 
-}  // namespace ddtool::native::naive
+}  // namespace ddtool::network::naive

@@ -9,7 +9,7 @@
 #include "naive_layers.hpp"
 #include "network/map_shape.hpp"
 
-namespace ddtool::native {
+namespace ddtool::network {
 
 inline std::vector<float> drawn_floats(std::size_t count, std::uint64_t seed) {
     RandomStream random({seed});
@@ -55,4 +55,4 @@ inline std::vector<float> bordered(const naive::Map& map) {
     return values;
 }
 
-}  // namespace ddtool::native
+}  // namespace ddtool::network

@@ -4,7 +4,7 @@
 
 #include "near.hpp"
 
-namespace ddtool::native {
+namespace ddtool::network {
 namespace {
 
 constexpr std::size_t outputs = 2 * block_width;
@@ -76,4 +76,4 @@ TEST(Product, IsTheSameBytesInLanesOfEveryWidth) {
 }
 
 }  // namespace
-}  // namespace ddtool::native
+}  // namespace ddtool::network

@@ -2,7 +2,7 @@
 
 #include "near.hpp"
 
-namespace ddtool::native {
+namespace ddtool::network {
 namespace {
 
 TEST(ApplySoftmax, IsThatOfItsDefinitionFromTinyToHugeScores) {
@@ -30,4 +30,4 @@ TEST(ApplySoftmax, IsThatOfItsDefinitionFromTinyToHugeScores) {
 }
 
 }  // namespace
-}  // namespace ddtool::native
+}  // namespace ddtool::network

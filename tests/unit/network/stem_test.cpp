@@ -3,7 +3,7 @@
 #include "dd_weights.hpp"
 #include "near.hpp"
 
-namespace ddtool::native {
+namespace ddtool::network {
 namespace {
 
 constexpr std::size_t stem_size_px = 30;
@@ -22,7 +22,7 @@ std::vector<float> drawn_image(double share) {
     return image;
 }
 
-class StemOf : public testing::TestWithParam<native::StemRow> {
+class StemOf : public testing::TestWithParam<network::StemRow> {
 protected:
     StemOf() { drawn_.add_convolution("stem", GetParam().channels, 1, GetParam().kernel_px); }
 
@@ -46,9 +46,9 @@ TEST_P(StemOf, IsThatOfItsDefinitionHoweverManyPixelsAreMarked) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Rows, StemOf,
-                         testing::Values(native::StemRow{.kernel_px = 7, .stride = 4, .channels = 16},
-                                         native::StemRow{.kernel_px = 7, .stride = 2, .channels = 32},
-                                         native::StemRow{.kernel_px = 3, .stride = 1, .channels = 16}));
+                         testing::Values(network::StemRow{.kernel_px = 7, .stride = 4, .channels = 16},
+                                         network::StemRow{.kernel_px = 7, .stride = 2, .channels = 32},
+                                         network::StemRow{.kernel_px = 3, .stride = 1, .channels = 16}));
 
 }  // namespace
-}  // namespace ddtool::native
+}  // namespace ddtool::network

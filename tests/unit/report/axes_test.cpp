@@ -5,7 +5,7 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
-namespace ddtool::plot {
+namespace ddtool::report {
 namespace {
 
 constexpr Colour red{255, 0, 0};
@@ -146,4 +146,4 @@ TEST(Axes, SurviveDataThatShowNothing) {
 }
 
 }  // namespace
-}  // namespace ddtool::plot
+}  // namespace ddtool::report

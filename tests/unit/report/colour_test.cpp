@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-namespace ddtool::plot {
+namespace ddtool::report {
 namespace {
 
 double brightness(Colour colour) { return 0.3 * colour.red + 0.6 * colour.green + 0.1 * colour.blue; }
@@ -29,4 +29,4 @@ TEST(HeatColour, HoldsAtTheEnds) {
 }
 
 }  // namespace
-}  // namespace ddtool::plot
+}  // namespace ddtool::report

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace ddtool::html {
+namespace ddtool::report {
 namespace {
 
 TEST(Base64, HasTheValuesOfRfc4648) {
@@ -18,4 +18,4 @@ TEST(Base64, TakesEveryByte) { EXPECT_EQ(base64(std::string("\xff\xfe\x00\x80", 
 TEST(PngUri, HoldsTheBytes) { EXPECT_EQ(png_uri("foo"), "data:image/png;base64,Zm9v"); }
 
 }  // namespace
-}  // namespace ddtool::html
+}  // namespace ddtool::report

@@ -2,12 +2,12 @@
 
 #include <gtest/gtest.h>
 
-namespace ddtool::html {
+namespace ddtool::report {
 namespace {
 
 TEST(Escaped, LeavesNoCharacterThatMeansSomething) {
-    EXPECT_EQ(escaped(R"(<a href="x">'&'</a>)"), "&lt;a href=&quot;x&quot;&gt;&#39;&amp;&#39;&lt;/a&gt;");
-    EXPECT_EQ(escaped("Gebäude 079"), "Gebäude 079");
+    EXPECT_EQ(html_escaped(R"(<a href="x">'&'</a>)"), "&lt;a href=&quot;x&quot;&gt;&#39;&amp;&#39;&lt;/a&gt;");
+    EXPECT_EQ(html_escaped("Gebäude 079"), "Gebäude 079");
 }
 
 TEST(ScriptJson, IsTheSameValueAndCannotEndItsElement) {
@@ -20,4 +20,4 @@ TEST(ScriptJson, IsTheSameValueAndCannotEndItsElement) {
 TEST(ScriptJson, ReplacesWhatIsNotUtf8) { EXPECT_EQ(Json::parse(script_json(Json("a\xff"))), "a\xEF\xBF\xBD"); }
 
 }  // namespace
-}  // namespace ddtool::html
+}  // namespace ddtool::report

@@ -9,7 +9,7 @@
 #include "system/atomic_file.hpp"
 #include "wandering_path.hpp"
 
-namespace ddtool::plot {
+namespace ddtool::report {
 namespace {
 
 bool is_white(const cv::Mat3b& pixels) { return cv::countNonZero(pixels.reshape(1) != 255) == 0; }
@@ -43,15 +43,15 @@ TEST(ErrorFigure, IsAsHighAsThePathNeeds) {
         stamped.pose.y_m *= 0.01;
     }
     const auto height_px = [](const Trajectory& reference) {
-        return error_figure(absolute_trajectory_error(noisy(reference, 2), reference)).render().rows;
+        return ate_figure(absolute_trajectory_error(noisy(reference, 2), reference)).render().rows;
     };
     EXPECT_GT(height_px(path), height_px(flat));
 }
 
 TEST(ErrorFigure, OfASinglePoseIsDrawn) {
     const Trajectory one{{0, {1.0, 2.0, 3.0}}};
-    EXPECT_FALSE(error_figure(absolute_trajectory_error(one, one)).render().empty());
+    EXPECT_FALSE(ate_figure(absolute_trajectory_error(one, one)).render().empty());
 }
 
 }  // namespace
-}  // namespace ddtool::plot
+}  // namespace ddtool::report

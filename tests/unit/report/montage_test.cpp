@@ -6,7 +6,7 @@
 
 #include "ddtool/base/error.hpp"
 
-namespace ddtool::plot {
+namespace ddtool::report {
 namespace {
 
 constexpr double tile_px = 40.0;
@@ -62,4 +62,4 @@ TEST(Montage, RefusesARowWithoutAGroupForEachTitle) {
 }
 
 }  // namespace
-}  // namespace ddtool::plot
+}  // namespace ddtool::report

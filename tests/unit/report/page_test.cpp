@@ -9,7 +9,7 @@
 #include "system/atomic_file.hpp"
 #include "temporary_folder.hpp"
 
-namespace ddtool::html {
+namespace ddtool::report {
 namespace {
 
 using testing::HasSubstr;
@@ -62,4 +62,4 @@ TEST(WritePage, NeverThrowsAndLeavesNoPageOfAnEarlierRun) {
 }
 
 }  // namespace
-}  // namespace ddtool::html
+}  // namespace ddtool::report

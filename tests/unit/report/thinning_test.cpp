@@ -8,7 +8,7 @@
 
 #include "ddtool/base/random.hpp"
 
-namespace ddtool::html {
+namespace ddtool::report {
 namespace {
 
 using Lines = std::vector<std::vector<double>>;
@@ -59,4 +59,4 @@ TEST(TellingRows, PassOverMissingNumbers) {
 }
 
 }  // namespace
-}  // namespace ddtool::html
+}  // namespace ddtool::report

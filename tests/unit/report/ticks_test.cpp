@@ -5,7 +5,7 @@
 #include <cmath>
 #include <set>
 
-namespace ddtool::plot {
+namespace ddtool::report {
 namespace {
 
 struct TickRange {
@@ -63,4 +63,4 @@ TEST(TickText, HasNoMinusZero) {
 }
 
 }  // namespace
-}  // namespace ddtool::plot
+}  // namespace ddtool::report

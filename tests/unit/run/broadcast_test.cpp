@@ -80,7 +80,7 @@ TEST_F(BroadcastTest, GreetsWithServerInfoAndChannels) {
     EXPECT_EQ(links_.texts[5][0].at("sessionId"), "session");
     EXPECT_EQ(links_.texts[5][1].at("op"), "advertise");
     EXPECT_EQ(links_.texts[5][1].at("channels").size(), 2U);
-    EXPECT_EQ(links_.times[5], std::vector{foxglove::time_message(2)});
+    EXPECT_EQ(links_.times[5], std::vector{foxglove_time_message(2)});
     EXPECT_THAT(links_.data[5], IsEmpty());
 }
 
@@ -173,8 +173,8 @@ TEST_F(BroadcastTest, WhoReadsOnGetsTheLatestOfEachTopicOnceLongestWaitFirst) {
     links_.unsent[0] = 0;
     broadcast_.catch_up();
     broadcast_.catch_up();
-    EXPECT_THAT(links_.data[0], ElementsAre(foxglove::data_message(2, 3, std::vector<std::byte>(4)),
-                                            foxglove::data_message(0, 2, std::vector<std::byte>(4))));
+    EXPECT_THAT(links_.data[0], ElementsAre(foxglove_data_message(2, 3, std::vector<std::byte>(4)),
+                                            foxglove_data_message(0, 2, std::vector<std::byte>(4))));
 }
 
 TEST_F(BroadcastTest, WhoeverReadsAtHisPaceGetsAnOrderedPartWithTheLatest) {

@@ -19,7 +19,7 @@ Number number_at(const std::string& bytes, std::size_t place) {
 }
 
 TEST(FoxgloveProtocol, TellsOfTheServer) {
-    const Json message = Json::parse(foxglove::server_info("a name", "a session"));
+    const Json message = Json::parse(foxglove_server_info("a name", "a session"));
     EXPECT_EQ(message.at("op"), "serverInfo");
     EXPECT_EQ(message.at("name"), "a name");
     EXPECT_EQ(message.at("sessionId"), "a session");
@@ -27,26 +27,26 @@ TEST(FoxgloveProtocol, TellsOfTheServer) {
 }
 
 TEST(FoxgloveProtocol, AdvertisesChannelsWithTheirDefinitions) {
-    const std::vector<foxglove::Channel> channels{{0, "/map", "nav_msgs/msg/OccupancyGrid"},
-                                                  {1, "/path", "nav_msgs/msg/Path"}};
-    const Json message = Json::parse(foxglove::advertisement(channels));
+    const std::vector<FoxgloveChannel> channels{{0, "/map", "nav_msgs/msg/OccupancyGrid"},
+                                                {1, "/path", "nav_msgs/msg/Path"}};
+    const Json message = Json::parse(foxglove_advertisement(channels));
     EXPECT_EQ(message.at("op"), "advertise");
     ASSERT_EQ(message.at("channels").size(), channels.size());
-    for (const foxglove::Channel& channel : channels) {
+    for (const FoxgloveChannel& channel : channels) {
         const Json& told = message.at("channels").at(channel.id);
         EXPECT_EQ(told.at("id"), channel.id);
         EXPECT_EQ(told.at("topic"), channel.topic);
         EXPECT_EQ(told.at("encoding"), "cdr");
         EXPECT_EQ(told.at("schemaEncoding"), "ros2msg");
         EXPECT_EQ(told.at("schemaName"), channel.type_name);
-        EXPECT_EQ(told.at("schema"), ros::ros2_schema(channel.type_name));
+        EXPECT_EQ(told.at("schema"), ros2_schema(channel.type_name));
     }
-    EXPECT_EQ(Json::parse(foxglove::advertisement({})).at("channels"), Json::array());
+    EXPECT_EQ(Json::parse(foxglove_advertisement({})).at("channels"), Json::array());
 }
 
 TEST(FoxgloveProtocol, DataAreASubscriptionATimeAndTheMessage) {
     const std::vector<std::byte> data{std::byte{7}, std::byte{0}, std::byte{9}};
-    const std::string bytes = foxglove::data_message(0x01020304, 0x1122334455667788, data);
+    const std::string bytes = foxglove_data_message(0x01020304, 0x1122334455667788, data);
     ASSERT_EQ(bytes.size(), 1 + 4 + 8 + data.size());
     EXPECT_EQ(bytes[0], 1);
     EXPECT_EQ(bytes[1], 4) << "little endian";
@@ -56,27 +56,27 @@ TEST(FoxgloveProtocol, DataAreASubscriptionATimeAndTheMessage) {
 }
 
 TEST(FoxgloveProtocol, TimeIsAStamp) {
-    const std::string bytes = foxglove::time_message(1'700'000'000'123'456'789);
+    const std::string bytes = foxglove_time_message(1'700'000'000'123'456'789);
     ASSERT_EQ(bytes.size(), 9U);
     EXPECT_EQ(bytes[0], 2);
     EXPECT_EQ(number_at<std::int64_t>(bytes, 1), 1'700'000'000'123'456'789);
 }
 
 TEST(FoxgloveProtocol, StatusSurvivesTextThatIsNotUnicode) {
-    const Json message = Json::parse(foxglove::status(foxglove::StatusLevel::warning, "bad: \xff"));
+    const Json message = Json::parse(foxglove_status(FoxgloveStatusLevel::warning, "bad: \xff"));
     EXPECT_EQ(message.at("op"), "status");
     EXPECT_EQ(message.at("level"), 1);
 }
 
 TEST(FoxgloveProtocol, ReadsWhatAClientWants) {
-    const foxglove::Request more = foxglove::parse_request(
+    const FoxgloveRequest more = parse_foxglove_request(
         R"({"op":"subscribe","subscriptions":[{"id":4294967295,"channelId":3},{"id":0,"channelId":5}]})");
     ASSERT_EQ(more.subscribe.size(), 2U);
     EXPECT_EQ(more.subscribe[0].id, 4294967295U);
     EXPECT_EQ(more.subscribe[0].channel, 3U);
     EXPECT_EQ(more.subscribe[1].channel, 5U);
     EXPECT_TRUE(more.unsubscribe.empty());
-    const foxglove::Request less = foxglove::parse_request(R"({"op":"unsubscribe","subscriptionIds":[0,1]})");
+    const FoxgloveRequest less = parse_foxglove_request(R"({"op":"unsubscribe","subscriptionIds":[0,1]})");
     EXPECT_EQ(less.unsubscribe, (std::vector<std::uint32_t>{0, 1}));
     EXPECT_TRUE(less.subscribe.empty());
 }
@@ -85,7 +85,7 @@ class BadRequest : public testing::TestWithParam<std::string> {};
 
 TEST_P(BadRequest, IsAnErrorOfOneLine) {
     try {
-        foxglove::parse_request(GetParam());
+        parse_foxglove_request(GetParam());
         FAIL() << "taken";
     } catch (const Error& error) {
         EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos);

@@ -35,7 +35,7 @@ TEST(LiveRun, TellsEveryScanAndShowsTheMapFromTheStartToTheEnd) {
     EXPECT_EQ(told.topics["/particlecloud"].size(), run.updates);
     EXPECT_EQ(told.topics["/degeneracy"].size(), run.updates);
     EXPECT_EQ(told.topics["/path"].size(), told.topics["/map"].size());
-    const auto last = ros::decode_cdr<ros::OccupancyGrid>(told.topics["/map"].back());
+    const auto last = decode_cdr<RosOccupancyGrid>(told.topics["/map"].back());
     ASSERT_TRUE(last.has_value());
     EXPECT_EQ(last->data, map.cells);
 }

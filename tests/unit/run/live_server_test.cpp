@@ -40,15 +40,15 @@ class LiveServerTest : public testing::Test {
 protected:
     /// Writes a message of about 100 bytes for each pose.
     void write_path(std::int64_t stamp_ns, std::size_t poses) {
-        server_.write("/path", stamp_ns,
-                      ros::Path{.header = {{stamp_ns}, "map"},
-                                .poses = {poses, ros::pose_message(stamp_ns, "map", {1.0, 2.0, 0.5})}});
+        server_.write(
+            "/path", stamp_ns,
+            RosPath{.header = {{stamp_ns}, "map"}, .poses = {poses, pose_message(stamp_ns, "map", {1.0, 2.0, 0.5})}});
     }
 
     /// A map is a single array. A path would be slow to write, because fast-cdr makes room for its numbers a few at a
     /// time.
     void write_map(std::int64_t stamp_ns, std::size_t cells) {
-        ros::OccupancyGrid map{.header = {{stamp_ns}, "map"}, .map_load_time = {}, .origin = {}, .data = {}};
+        RosOccupancyGrid map{.header = {{stamp_ns}, "map"}, .map_load_time = {}, .origin = {}, .data = {}};
         map.data.resize(cells);
         server_.write("/map", stamp_ns, map);
     }
@@ -69,7 +69,7 @@ TEST_F(LiveServerTest, WhoComesLateGetsWhatWasSaidLast) {
     client.send({true, subscribe(9, advertised.at(0).at("id"))});
     const std::string data = next_data(client);
     EXPECT_EQ(stamp_of(data), 2);
-    const auto path = ros::decode_cdr<ros::Path>(std::as_bytes(std::span(data).subspan(13)));
+    const auto path = decode_cdr<RosPath>(std::as_bytes(std::span(data).subspan(13)));
     ASSERT_TRUE(path.has_value());
     EXPECT_EQ(path->poses.size(), 4U);
 }

@@ -15,7 +15,7 @@
 namespace ddtool {
 namespace {
 
-Pose2 planar(const ros::Pose& pose) { return ros::to_pose2(ros::to_isometry(pose)); }
+Pose2 planar(const RosPose& pose) { return to_pose2(to_isometry(pose)); }
 
 void expect_near(const Pose2& a, const Pose2& b) {
     EXPECT_NEAR(a.x_m, b.x_m, 1e-9);
@@ -51,7 +51,7 @@ protected:
         while (const auto message = reader.next()) {
             if (message->channel->topic == topic) {
                 EXPECT_EQ(message->channel->schema.name, Message::type_name);
-                const auto decoded = ros::decode_cdr<Message>(message->data);
+                const auto decoded = decode_cdr<Message>(message->data);
                 EXPECT_TRUE(decoded.has_value());
                 found.push_back(decoded.value_or(Message{}));
             }
@@ -71,7 +71,7 @@ protected:
 };
 
 TEST_F(ResultLogTest, HoldsTheScansThatWereUsed) {
-    const auto scans = messages<ros::LaserScan>("/scan");
+    const auto scans = messages<RosLaserScan>("/scan");
     ASSERT_EQ(scans.size(), result_.updates);
     for (std::size_t i = 0; i < scans.size(); ++i) {
         EXPECT_EQ(scans[i].header.stamp.ns, used_[i].scan.stamp_ns);
@@ -80,7 +80,7 @@ TEST_F(ResultLogTest, HoldsTheScansThatWereUsed) {
 }
 
 TEST_F(ResultLogTest, TellsTheDegreeOfEveryUpdate) {
-    const auto degrees = messages<ros::Degeneracy>("/degeneracy");
+    const auto degrees = messages<RosDegeneracy>("/degeneracy");
     ASSERT_EQ(degrees.size(), used_.size());
     for (std::size_t i = 0; i < degrees.size(); ++i) {
         EXPECT_EQ(degrees[i].stamp.ns, used_[i].scan.stamp_ns);
@@ -89,7 +89,7 @@ TEST_F(ResultLogTest, TellsTheDegreeOfEveryUpdate) {
 }
 
 TEST_F(ResultLogTest, TellsPoseAndCovarianceOfEveryScan) {
-    const auto poses = messages<ros::PoseWithCovarianceStamped>("/pose");
+    const auto poses = messages<RosPoseWithCovarianceStamped>("/pose");
     ASSERT_EQ(poses.size(), result_.trajectory.size());
     for (std::size_t i = 0; i < poses.size(); ++i) {
         EXPECT_EQ(poses[i].header.stamp.ns, result_.trajectory[i].stamp_ns);
@@ -103,29 +103,29 @@ TEST_F(ResultLogTest, TellsPoseAndCovarianceOfEveryScan) {
 }
 
 TEST_F(ResultLogTest, TransformsLeadFromTheMapToTheLaser) {
-    const auto transforms = messages<ros::TFMessage>("/tf");
+    const auto transforms = messages<RosTFMessage>("/tf");
     ASSERT_EQ(transforms.size(), used_.size());
     for (std::size_t i = 0; i < used_.size(); ++i) {
-        const ros::TransformStamped& odom = transforms[i].transforms.at(0);
-        const ros::TransformStamped& robot = transforms[i].transforms.at(1);
+        const RosTransformStamped& odom = transforms[i].transforms.at(0);
+        const RosTransformStamped& robot = transforms[i].transforms.at(1);
         EXPECT_EQ(odom.header.frame_id + ">" + odom.child_frame_id, "map>odom");
         EXPECT_EQ(robot.header.frame_id + ">" + robot.child_frame_id, "odom>base_link");
         expect_near(planar(odom.transform) * planar(robot.transform), poses_[i]);
     }
-    const auto mounting = messages<ros::TFMessage>("/tf_static");
+    const auto mounting = messages<RosTFMessage>("/tf_static");
     ASSERT_EQ(mounting.size(), 1U);
     expect_near(planar(mounting[0].transforms.at(0).transform), used_[0].robot_from_laser);
-    EXPECT_EQ(mounting[0].transforms.at(0).child_frame_id, messages<ros::LaserScan>("/scan")[0].header.frame_id);
+    EXPECT_EQ(mounting[0].transforms.at(0).child_frame_id, messages<RosLaserScan>("/scan")[0].header.frame_id);
 }
 
 TEST_F(ResultLogTest, EndsWithTheMapAndThePath) {
-    const auto maps = messages<ros::OccupancyGrid>("/map");
+    const auto maps = messages<RosOccupancyGrid>("/map");
     const MapRaster map = map_raster(result_.map);
     ASSERT_GE(maps.size(), 2U);
     EXPECT_EQ(maps.back().data, map.cells);
     EXPECT_EQ(maps.back().width, map.width);
     EXPECT_NEAR(maps.back().origin.position.y, map.origin_m.y_m, 1e-9);
-    const auto paths = messages<ros::Path>("/path");
+    const auto paths = messages<RosPath>("/path");
     ASSERT_EQ(paths.size(), maps.size());
     expect_near(planar(paths.back().poses.front().pose), result_.trajectory.front().pose);
     expect_near(planar(paths.back().poses.back().pose), result_.trajectory.back().pose);
@@ -140,14 +140,14 @@ TEST_F(ResultLogTest, HoldsAPathThatStaysSmallOnALongDrive) {
     ResultLog log(file_);
     log.finish(map_raster(result_.map), drive);
     log.close();
-    const std::vector<ros::PoseStamped> poses = messages<ros::Path>("/path").at(0).poses;
+    const std::vector<RosPoseStamped> poses = messages<RosPath>("/path").at(0).poses;
     EXPECT_LE(poses.size(), 65'538U);
     EXPECT_GT(poses.size(), 40'000U);
     EXPECT_EQ(poses.back().header.stamp.ns, drive.back().stamp_ns);
 }
 
 TEST_F(ResultLogTest, HoldsTheParticles) {
-    const auto clouds = messages<ros::PoseArray>("/particlecloud");
+    const auto clouds = messages<RosPoseArray>("/particlecloud");
     ASSERT_EQ(clouds.size(), swarms_.size());
     for (std::size_t i = 0; i < clouds.size(); ++i) {
         EXPECT_EQ(clouds[i].poses.size(), swarms_[i]);

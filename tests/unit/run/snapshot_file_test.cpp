@@ -118,7 +118,7 @@ TEST(SnapshotFile, HasTheFlatLayoutOfItsDocument) {
 TEST(SnapshotFile, OfAnotherKindIsRefused) {
     const test::TemporaryFolder folder;
     Ros2Writer writer(folder / "log.mcap");
-    writer.write("/odom", 0, ros::odometry_message(0, "odom", "base_link", {}));
+    writer.write("/odom", 0, odometry_message(0, "odom", "base_link", {}));
     writer.close();
     EXPECT_THAT(test::thrown_text([&] { read_all(folder / "log.mcap"); }),
                 testing::AllOf(testing::HasSubstr("log.mcap"), testing::HasSubstr("/odom"),

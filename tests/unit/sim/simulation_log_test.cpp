@@ -90,7 +90,7 @@ TEST(SimulationLog, HoldsTheFisherInformationOfEveryScanAtItsStamp) {
         }
         const SimulatedFrame expected = simulation.frame(index++);
         EXPECT_EQ(message->log_time_ns, expected.frame.scan.stamp_ns);
-        const auto matrix = ros::decode_cdr<ros::Float64MultiArray>(message->data);
+        const auto matrix = decode_cdr<RosFloat64MultiArray>(message->data);
         ASSERT_TRUE(matrix);
         ASSERT_EQ(matrix->data.size(), 9U);
         EXPECT_EQ(matrix->data[5], expected.fisher_information(1, 2));

@@ -11,8 +11,8 @@ namespace {
 
 constexpr std::size_t trained_size_px = 64;
 
-native::ModelDescription small_lite() {
-    native::ModelDescription about;
+ModelDescription small_lite() {
+    ModelDescription about;
     about.network = "ddmodel-lite";
     about.loss = "bce";
     about.image.size_px = trained_size_px;
@@ -44,7 +44,7 @@ TEST_F(CheckpointTest, TheBestHasNoTrainingToGoOnWith) {
 }
 
 TEST_F(CheckpointTest, ADescriptionThatNoNetworkCanHaveIsNamed) {
-    native::ModelDescription about = small_lite();
+    ModelDescription about = small_lite();
     about.image.size_px = std::size_t{1} << 40U;
     write_checkpoint(path_, *network_, about);
     const std::string text = test::thrown_text([&] { (void)Checkpoint(path_).network(); });

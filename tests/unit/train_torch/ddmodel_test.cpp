@@ -12,7 +12,7 @@ namespace {
 using testing::ElementsAre;
 
 /// The logits after one pass in training mode, which sets the statistics, and one in evaluation mode.
-torch::Tensor formula_logits(const native::DDModelTable& table) {
+torch::Tensor formula_logits(const network::DDModelTable& table) {
     const torch::NoGradGuard no_grad;
     DDModel network(table, 224);
     fill_by_formula(network);
@@ -23,7 +23,7 @@ torch::Tensor formula_logits(const native::DDModelTable& table) {
 }
 
 TEST(DDModel, BackboneEndsInThePapersMap) {
-    DDModel network(native::ddmodel_table(), 224);
+    DDModel network(network::ddmodel_table(), 224);
     network.eval();
     const torch::NoGradGuard no_grad;
     const torch::Tensor map = network.feature_map(formula_images(2, 224));
@@ -32,7 +32,7 @@ TEST(DDModel, BackboneEndsInThePapersMap) {
 }
 
 TEST(DDModel, LiteBackboneEndsInASmallMap) {
-    DDModel network(native::ddmodel_lite_table(), 224);
+    DDModel network(network::ddmodel_lite_table(), 224);
     network.eval();
     const torch::NoGradGuard no_grad;
     const torch::Tensor map = network.feature_map(formula_images(2, 224));
@@ -41,29 +41,29 @@ TEST(DDModel, LiteBackboneEndsInASmallMap) {
 }
 
 TEST(DDModel, HasTheDocumentedNumberOfParameters) {
-    EXPECT_EQ(parameter_count(DDModel(native::ddmodel_table(), 224)), 1'327'458);
-    EXPECT_EQ(parameter_count(DDModel(native::ddmodel_lite_table(), 224)), 118'770);
+    EXPECT_EQ(parameter_count(DDModel(network::ddmodel_table(), 224)), 1'327'458);
+    EXPECT_EQ(parameter_count(DDModel(network::ddmodel_lite_table(), 224)), 118'770);
 }
 
 // The number of blocks in a table is free: each additional block adds two convolutions and their normalisations.
 TEST(DDModel, GrowsByTheBlocksOfItsTable) {
-    native::DDModelTable deeper = native::ddmodel_lite_table();
+    network::DDModelTable deeper = network::ddmodel_lite_table();
     deeper.groups.back().blocks = 3;
     const std::int64_t width = 64;
     const std::int64_t block = 2 * (width * width * 3 * 3 + 2 * width);
     EXPECT_EQ(parameter_count(DDModel(deeper, 224)),
-              parameter_count(DDModel(native::ddmodel_lite_table(), 224)) + 2 * block);
+              parameter_count(DDModel(network::ddmodel_lite_table(), 224)) + 2 * block);
 }
 
 TEST(DDModel, FixedWeightsGiveTheStoredLogits) {
     EXPECT_TRUE(
-        near(formula_logits(native::ddmodel_table()), torch::tensor({{-2.6458, 0.3213}, {-2.6384, 0.3208}}), 2e-4));
-    EXPECT_TRUE(near(formula_logits(native::ddmodel_lite_table()),
+        near(formula_logits(network::ddmodel_table()), torch::tensor({{-2.6458, 0.3213}, {-2.6384, 0.3208}}), 2e-4));
+    EXPECT_TRUE(near(formula_logits(network::ddmodel_lite_table()),
                      torch::tensor({{0.4634, -2.2040}, {0.5624, -2.0115}}), 2e-4));
 }
 
 TEST(DDModel, KnowsWhereInTheImageADotIs) {
-    DDModel network(native::ddmodel_lite_table(), 224);
+    DDModel network(network::ddmodel_lite_table(), 224);
     fill_by_formula(network);
     network.eval();
     const torch::NoGradGuard no_grad;

@@ -32,7 +32,7 @@ protected:
     }
 
     std::shared_ptr<Network> network_ = used_network(GetParam());
-    native::ModelDescription about_;
+    ModelDescription about_;
     test::TemporaryFolder folder_;
     std::filesystem::path path_ = folder_ / "model.pt";
 };
@@ -44,7 +44,7 @@ TEST_P(ExportedModel, AgreesWithTheNetworkForAnyBatch) {
         for (const std::int64_t count : {1, 2, 7, 64}) {
             const torch::Tensor images = drawn_images(count);
             const std::vector<double> degrees = degrees_by(*model, images);
-            const torch::Tensor expected = values(images).select(1, native::degenerate_output);
+            const torch::Tensor expected = values(images).select(1, degenerate_output);
             for (std::int64_t index = 0; index < count; ++index) {
                 EXPECT_NEAR(degrees[static_cast<std::size_t>(index)], expected[index].item<double>(), 1e-5)
                     << loss << ", image " << index << " of " << count;

@@ -26,12 +26,12 @@ TEST_P(NativeModel, AgreesWithTheNetworkInLibTorch) {
     const torch::Tensor images = images_of_all_kinds();
     const test::TemporaryFolder folder;
     for (const char* loss : {"cross-entropy", "bce"}) {
-        const native::ModelDescription about = described(GetParam(), loss);
-        native::write_safetensors(folder / "model.safetensors", plain_weights(*network, about));
-        const std::vector<double> degrees = degrees_by(*native::load_model(folder / "model.safetensors"), images);
+        const ModelDescription about = described(GetParam(), loss);
+        network::write_safetensors(folder / "model.safetensors", plain_weights(*network, about));
+        const std::vector<double> degrees = degrees_by(*load_model(folder / "model.safetensors"), images);
         const torch::NoGradGuard no_gradients;
         const torch::Tensor expected =
-            output_values(loss, network->forward(images) / about.temperature).select(1, native::degenerate_output);
+            output_values(loss, network->forward(images) / about.temperature).select(1, degenerate_output);
         for (std::size_t index = 0; index < degrees.size(); ++index) {
             EXPECT_NEAR(degrees[index], expected[static_cast<std::int64_t>(index)].item<double>(), 1e-5)
                 << loss << ", image " << index;

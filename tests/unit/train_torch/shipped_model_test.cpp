@@ -11,7 +11,7 @@ namespace ddtool::train_torch {
 namespace {
 
 /// The degrees of random swarms of 30 particles, whose matches keep the given share of the predicted spread along x.
-std::vector<double> degrees_of(native::DegreeModel& model, double share) {
+std::vector<double> degrees_of(DegreeModel& model, double share) {
     ParticleRenderer renderer(model.description().image);
     const std::size_t pixels = renderer.settings().size_px * renderer.settings().size_px;
     std::vector<float> images;
@@ -29,7 +29,7 @@ std::vector<double> degrees_of(native::DegreeModel& model, double share) {
     return degrees;
 }
 
-double mean_degree(native::DegreeModel& model, double share) {
+double mean_degree(DegreeModel& model, double share) {
     const std::vector<double> degrees = degrees_of(model, share);
     return std::accumulate(degrees.begin(), degrees.end(), 0.0) / static_cast<double>(degrees.size());
 }
@@ -49,7 +49,7 @@ TEST_P(ShippedModel, CallsASwarmDegenerateThatMatchingLeavesAsWideAsItCame) {
 
 TEST_P(ShippedModel, GivesTheSameDegreesWithoutLibTorch) {
     const auto model = load_torch_script(file(".pt"), {});
-    const auto native = native::load_model(file(".safetensors"));
+    const auto native = load_model(file(".safetensors"));
     for (const double share : {0.05, 0.3, 0.6, 1.0}) {
         EXPECT_THAT(degrees_of(*native, share),
                     testing::Pointwise(testing::DoubleNear(1e-5), degrees_of(*model, share)));

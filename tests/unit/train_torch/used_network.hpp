@@ -14,8 +14,8 @@ namespace ddtool::train_torch {
 
 inline constexpr std::int64_t size_px = 64;
 
-inline native::ModelDescription described(const std::string& network, const std::string& loss) {
-    native::ModelDescription about;
+inline ModelDescription described(const std::string& network, const std::string& loss) {
+    ModelDescription about;
     about.network = network;
     about.loss = loss;
     about.image.size_px = size_px;
@@ -29,7 +29,7 @@ inline torch::Tensor drawn_images(std::int64_t count) {
     return (torch::rand({count, 1, size_px, size_px}) < 0.3 * torch::rand({count, 1, 1, 1})).to(torch::kFloat32);
 }
 
-inline std::vector<double> degrees_by(native::DegreeModel& model, const torch::Tensor& images) {
+inline std::vector<double> degrees_by(DegreeModel& model, const torch::Tensor& images) {
     std::vector<double> degrees(static_cast<std::size_t>(images.size(0)));
     model.run({images.data_ptr<float>(), static_cast<std::size_t>(images.numel())}, degrees);
     return degrees;

@@ -27,7 +27,7 @@ struct Mix {
 };
 
 /// Throws UsageError naming `where` and the key if an item of a list is of another kind.
-Mix mix_from_json(const Json& mix, const std::string& where);
+Mix mix_from_json(const Json& json, const std::string& where);
 
 /// The values that one run drew.
 struct Variant {

@@ -49,7 +49,7 @@ PartStore::PartStore(const std::filesystem::path& folder, const std::vector<std:
 
 std::optional<StoredPart> PartStore::find(const PlannedRun& run) const {
     for (const jobs::Store& store : stores_) {
-        const auto part = store.find(run.key, [&](const Json& json) {
+        auto part = store.find(run.key, [&](const Json& json) {
             auto stored = json.get<StoredPart>();
             stored.folder = store.folder();
             (void)MappedShard(stored.folder, stored.shard, Check::checksums);

@@ -51,10 +51,10 @@ std::string family_title(const std::string& family, const FamilyValues& values) 
 void draw_families(const std::filesystem::path& file, const std::map<std::string, FamilyValues>& families,
                    const std::string& x_label, double threshold) {
     const std::size_t rows = std::max<std::size_t>(1, (families.size() + histogram_columns - 1) / histogram_columns);
-    plot::Figure figure({.width_px = 1400.0,
-                         .height_px = 260.0 * static_cast<double>(rows),
-                         .row_shares = std::vector<double>(rows, 1.0),
-                         .columns = histogram_columns});
+    report::Figure figure({.width_px = 1400.0,
+                           .height_px = 260.0 * static_cast<double>(rows),
+                           .row_shares = std::vector<double>(rows, 1.0),
+                           .columns = histogram_columns});
     std::size_t place = 0;
     for (const auto& [family, values] : families) {
         const std::vector<double> at(2, std::log10(threshold));
@@ -64,7 +64,7 @@ void draw_families(const std::filesystem::path& file, const std::map<std::string
             .x_range(least_log, most_log)
             .histogram(values.logs, bins)
             .line(at, std::vector{0.0, static_cast<double>(values.logs.size()) / 10.0},
-                  {.label = "threshold", .colour = plot::series_colour(1)});
+                  {.label = "threshold", .colour = report::series_colour(1)});
         ++place;
     }
     figure.write_png(file);
@@ -103,11 +103,11 @@ std::vector<cv::Mat> drawn(const Dataset& data, const Indices& samples, Particle
 void draw_montage(const std::filesystem::path& file, const Dataset& data, LabelRule rule,
                   const ImageSettings& settings) {
     ParticleRenderer renderer(settings);
-    std::vector<plot::MontageRow> rows;
+    std::vector<report::MontageRow> rows;
     for (const auto& [family, samples] : used_samples(data, rule)) {
         rows.push_back({family, {drawn(data, samples[1], renderer), drawn(data, samples[0], renderer)}});
     }
-    const cv::Mat3b page = plot::montage({class_names[1], class_names[0]}, rows, tile_px);
+    const cv::Mat3b page = report::montage({class_names[1], class_names[0]}, rows, tile_px);
     write_png(file, pixels_of(page));
 }
 

@@ -40,7 +40,7 @@ Json odometry_learning_json() {
 
 Json identity_of_filter(Json filter) {
     filter["grid"].erase("most_memory_mib");
-    if (filter.at("gate") == "") {
+    if (filter.at("gate").get<std::string>().empty()) {
         filter.erase("gate");
     }
     filter["points"]["normal_radius_m"] = ScanPoints::normal_radius_m;

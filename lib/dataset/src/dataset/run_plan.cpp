@@ -66,7 +66,7 @@ private:
             settings.update(defaults);
             merge_settings(settings, item.is_string() ? Json{{kind, item}} : item, where);
             if (settings.at(kind).get<std::string>().empty()) {
-                throw UsageError(where + ": expected the name of a " + kind);
+                throw UsageError(std::string(where).append(": expected the name of a ").append(kind));
             }
             (this->*add)(settings, where);
         }

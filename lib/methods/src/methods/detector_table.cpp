@@ -52,10 +52,10 @@ DetectorTable::DetectorTable()
           {"neff", [](const Ingredients&) { return effective_size_detector(); }},
           {"always", [](const Ingredients&) { return always_degenerate(); }},
           {"oracle", [](const Ingredients& from) { return oracle_detector(from.noise, from.truth); }},
-          {native::shipped_model_name, [](const Ingredients&) { return native::network_detector(native::shipped_model()); }},
+          {shipped_model_name, [](const Ingredients&) { return network_detector(shipped_model()); }},
       },
       file_kinds_{{".safetensors",
-                   [](const std::string& file) { return native::network_detector(native::load_model(std::filesystem::path(file))); }}} {}
+                   [](const std::string& file) { return network_detector(load_model(std::filesystem::path(file))); }}} {}
 
 std::vector<std::string> DetectorTable::names() const {
     std::vector<std::string> names;
@@ -82,8 +82,8 @@ DegeneracyDetector DetectorTable::make(const std::string& name, const DetectionS
 }
 
 std::string DetectorTable::model_fingerprint(const std::string& name) const {
-    if (name == native::shipped_model_name) {
-        return native::shipped_model_fingerprint();
+    if (name == shipped_model_name) {
+        return shipped_model_fingerprint();
     }
     return makers_.contains(name) ? "" : file_fingerprint(name);
 }

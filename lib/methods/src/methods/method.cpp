@@ -21,7 +21,7 @@ const std::vector<Method>& methods() {
         {"gmapping", {}},
         {"paper",
          {.detector = "covariance", .search = "coarse-fine", .trust = "lidar-score", .resampling = "enhanced"}},
-        {"anti-degeneracy", {.detector = native::shipped_model_name, .trust = "information", .odometry = "learnt"}},
+        {"anti-degeneracy", {.detector = shipped_model_name, .trust = "information", .odometry = "learnt"}},
         {"fisher-gate", {.trust = "eigenvalue-gate"}},
         {"dn-csm", {.search = "correlative"}, true},
         {"odometry", {.trust = "odometry"}, true},

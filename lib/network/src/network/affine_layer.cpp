@@ -2,7 +2,7 @@
 
 #include "network/weight_blocks.hpp"
 
-namespace ddtool::native {
+namespace ddtool::network {
 AffineLayer::AffineLayer(Points points, Weights weights, bool relu)
     : points_(std::move(points)), weights_(std::move(weights)), relu_(relu), out_(points_.out_size, 0.0F) {}
 
@@ -42,4 +42,4 @@ std::vector<std::size_t> packed_tokens(std::size_t count, std::size_t width) {
     return starts;
 }
 
-}  // namespace ddtool::native
+}  // namespace ddtool::network

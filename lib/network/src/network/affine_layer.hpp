@@ -7,7 +7,7 @@
 #include "network/named_weights.hpp"
 #include "network/product.hpp"
 
-namespace ddtool::native {
+namespace ddtool::network {
 
 /// Weighted sums, a bias and optionally ReLU, at every point of a map or for every token.
 class AffineLayer {
@@ -50,4 +50,4 @@ AffineLayer linear(NamedWeights& weights, const std::string& prefix, const Linea
 /// The offsets of `count` tokens of that width without gaps.
 std::vector<std::size_t> packed_tokens(std::size_t count, std::size_t width);
 
-}  // namespace ddtool::native
+}  // namespace ddtool::network

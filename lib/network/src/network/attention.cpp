@@ -5,7 +5,7 @@
 #include "network/affine_layer.hpp"
 #include "network/softmax.hpp"
 
-namespace ddtool::native {
+namespace ddtool::network {
 
 Attention::Attention(std::size_t tokens, std::size_t width, std::size_t heads)
     : tokens_(tokens),
@@ -58,4 +58,4 @@ void Attention::mix(const float* values, float* out) {
               .to = targets_});
 }
 
-}  // namespace ddtool::native
+}  // namespace ddtool::network

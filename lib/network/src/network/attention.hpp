@@ -5,7 +5,7 @@
 #include "network/floats.hpp"
 #include "network/product.hpp"
 
-namespace ddtool::native {
+namespace ddtool::network {
 
 /// Scaled dot-product attention of tokens to one another (Vaswani et al. 2017, equation 1), for each head separately.
 class Attention {
@@ -34,4 +34,4 @@ private:
     Floats out_;
 };
 
-}  // namespace ddtool::native
+}  // namespace ddtool::network

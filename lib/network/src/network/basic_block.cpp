@@ -1,6 +1,6 @@
 #include "network/basic_block.hpp"
 
-namespace ddtool::native {
+namespace ddtool::network {
 namespace {
 
 ConvolutionRow first_row(std::size_t channels, std::size_t stride) {
@@ -20,4 +20,4 @@ BasicBlock::BasicBlock(NamedWeights& weights, const std::string& prefix, const M
     }
 }
 
-}  // namespace ddtool::native
+}  // namespace ddtool::network

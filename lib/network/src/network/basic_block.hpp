@@ -4,7 +4,7 @@
 
 #include "network/convolution.hpp"
 
-namespace ddtool::native {
+namespace ddtool::network {
 
 /// Residual block, the same as train_torch::BasicBlock (He et al. 2016). Takes PREFIX.first, .second and, where the
 /// shape changes, .projection.
@@ -24,4 +24,4 @@ private:
     std::optional<Convolution> projection_;
 };
 
-}  // namespace ddtool::native
+}  // namespace ddtool::network

@@ -2,7 +2,7 @@
 
 #include "network/weight_blocks.hpp"
 
-namespace ddtool::native {
+namespace ddtool::network {
 namespace {
 
 Floats packed_kernel(const FoldedKernel& kernel, std::size_t outputs, std::size_t inputs, std::size_t kernel_px) {
@@ -50,4 +50,4 @@ Convolution::Convolution(NamedWeights& weights, const std::string& prefix, const
                          const ConvolutionRow& row)
     : layer_(layer_of(folded_kernel(weights, prefix, row.channels, in.channels, row.kernel_px), in, row)) {}
 
-}  // namespace ddtool::native
+}  // namespace ddtool::network

@@ -5,7 +5,7 @@
 #include "network/affine_layer.hpp"
 #include "network/winograd_layer.hpp"
 
-namespace ddtool::native {
+namespace ddtool::network {
 
 struct ConvolutionRow {
     std::size_t channels = 0;
@@ -31,4 +31,4 @@ private:
     std::variant<AffineLayer, WinogradLayer> layer_;
 };
 
-}  // namespace ddtool::native
+}  // namespace ddtool::network

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-namespace ddtool::native {
+namespace ddtool::network {
 namespace {
 
 std::vector<BasicBlock> blocks_of(NamedWeights& weights, const DDModelTable& table, MapShape shape) {
@@ -61,4 +61,4 @@ std::array<double, 2> DDNetwork::run(std::span<const float> image) {
     return {logit(0), logit(1)};
 }
 
-}  // namespace ddtool::native
+}  // namespace ddtool::network

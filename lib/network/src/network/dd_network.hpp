@@ -9,7 +9,7 @@
 #include "network/encoder_layer.hpp"
 #include "network/stem.hpp"
 
-namespace ddtool::native {
+namespace ddtool::network {
 
 /// A trained network of the DD-Model's kind, which runs on one image at a time. Nothing is allocated after
 /// construction.
@@ -34,4 +34,4 @@ private:
     std::vector<double> mean_;
 };
 
-}  // namespace ddtool::native
+}  // namespace ddtool::network

@@ -1,6 +1,6 @@
 #include "network/dd_tables.hpp"
 
-namespace ddtool::native {
+namespace ddtool::network {
 
 const DDModelTable& ddmodel_table() {
     static const DDModelTable table{
@@ -40,4 +40,4 @@ std::int64_t token_count(const DDModelTable& table, std::int64_t size_px) {
     return side * side;
 }
 
-}  // namespace ddtool::native
+}  // namespace ddtool::network

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace ddtool::native {
+namespace ddtool::network {
 
 /// First convolution of the backbone. A 3x3 max pooling of stride 2 follows.
 struct StemRow {
@@ -47,4 +47,4 @@ constexpr std::int64_t strided(std::int64_t side_px, std::int64_t stride) { retu
 /// Number of places, and so of tokens, of the map that goes to the neck.
 std::int64_t token_count(const DDModelTable& table, std::int64_t size_px);
 
-}  // namespace ddtool::native
+}  // namespace ddtool::network

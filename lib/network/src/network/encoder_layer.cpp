@@ -1,6 +1,6 @@
 #include "network/encoder_layer.hpp"
 
-namespace ddtool::native {
+namespace ddtool::network {
 namespace {
 
 AffineLayer linear_of(NamedWeights& weights, const std::string& name, const LinearRow& row, std::size_t tokens) {
@@ -27,4 +27,4 @@ const float* EncoderLayer::run(const float* in) {
     return feed_forward_out_.run(feed_forward_in_.run(feed_forward_norm_.run(attended)), attended);
 }
 
-}  // namespace ddtool::native
+}  // namespace ddtool::network

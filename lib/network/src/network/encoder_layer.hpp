@@ -5,7 +5,7 @@
 #include "network/dd_tables.hpp"
 #include "network/layer_norm.hpp"
 
-namespace ddtool::native {
+namespace ddtool::network {
 
 /// One layer of a transformer encoder, the same as train_torch::EncoderLayer, with the normalisation first. Takes
 /// encoder.*.
@@ -27,4 +27,4 @@ private:
     AffineLayer feed_forward_out_;
 };
 
-}  // namespace ddtool::native
+}  // namespace ddtool::network

@@ -4,7 +4,7 @@
 #include <new>
 #include <vector>
 
-namespace ddtool::native {
+namespace ddtool::network {
 
 /// Aligns memory to cache lines, since vectors that cross a line take twice as long to load.
 template <typename T>
@@ -23,4 +23,4 @@ struct CacheLineAllocator {
 
 using Floats = std::vector<float, CacheLineAllocator<float>>;
 
-}  // namespace ddtool::native
+}  // namespace ddtool::network

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace ddtool::native {
+namespace ddtool::network {
 namespace {
 
 constexpr double batch_norm_epsilon = 1e-5;
@@ -28,4 +28,4 @@ FoldedKernel folded_kernel(NamedWeights& weights, const std::string& prefix, std
     return kernel;
 }
 
-}  // namespace ddtool::native
+}  // namespace ddtool::network

@@ -6,7 +6,7 @@
 #include "network/floats.hpp"
 #include "network/named_weights.hpp"
 
-namespace ddtool::native {
+namespace ddtool::network {
 
 /// A kernel [outputs][inputs][kernel_px][kernel_px] without bias, combined with the batch normalisation after it (Ioffe
 /// and Szegedy 2015). With fixed statistics, the normalisation is a factor and a shift for each output.
@@ -19,4 +19,4 @@ struct FoldedKernel {
 FoldedKernel folded_kernel(NamedWeights& weights, const std::string& prefix, std::size_t outputs, std::size_t inputs,
                            std::size_t kernel_px);
 
-}  // namespace ddtool::native
+}  // namespace ddtool::network

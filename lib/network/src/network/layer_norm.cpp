@@ -4,7 +4,7 @@
 
 #include "base/lanes.hpp"
 
-namespace ddtool::native {
+namespace ddtool::network {
 namespace {
 
 constexpr double epsilon = 1e-5;
@@ -55,4 +55,4 @@ const float* LayerNorm::run(const float* in) {
     return out_.data();
 }
 
-}  // namespace ddtool::native
+}  // namespace ddtool::network

@@ -5,7 +5,7 @@
 #include "network/floats.hpp"
 #include "network/named_weights.hpp"
 
-namespace ddtool::native {
+namespace ddtool::network {
 
 /// Layer normalisation (Ba et al. 2016) of each of `tokens` tokens, which lie in memory without gaps. Takes
 /// PREFIX.weight and PREFIX.bias.
@@ -24,4 +24,4 @@ private:
     Floats out_;
 };
 
-}  // namespace ddtool::native
+}  // namespace ddtool::network

@@ -7,12 +7,12 @@
 #include "system/atomic_file.hpp"
 #include "system/checksums.hpp"
 
-namespace ddtool::native {
+namespace ddtool {
 namespace {
 
 class NativeModel : public DegreeModel {
 public:
-    NativeModel(ModelDescription description, DDNetwork network)
+    NativeModel(ModelDescription description, network::DDNetwork network)
         : description_(std::move(description)), network_(std::move(network)) {}
 
     [[nodiscard]] const ModelDescription& description() const override { return description_; }
@@ -38,11 +38,11 @@ private:
     }
 
     ModelDescription description_;
-    DDNetwork network_;
+    network::DDNetwork network_;
 };
 
-const DDModelTable& table_of(const std::string& network) {
-    const DDModelTable* const table = find_ddmodel_table(network);
+const network::DDModelTable& table_of(const std::string& network) {
+    const network::DDModelTable* const table = network::find_ddmodel_table(network);
     if (table == nullptr) {
         throw Error("holds the network " + network + "; only ddmodel and ddmodel-lite run without LibTorch");
     }
@@ -57,11 +57,11 @@ std::unique_ptr<DegreeModel> load_model(const std::filesystem::path& path) {
 }
 
 std::unique_ptr<DegreeModel> load_model(std::string_view bytes, const std::string& name) {
-    PlainWeights file = parse_safetensors(bytes, name);
-    NamedWeights weights(std::move(file.tensors));
-    ModelDescription description = parse_description(file.about, name);
+    network::PlainWeights file = network::parse_safetensors(bytes, name);
+    network::NamedWeights weights(std::move(file.tensors));
+    ModelDescription description = parse_model_description(file.about, name);
     try {
-        DDNetwork network(weights, table_of(description.network), description.image.size_px);
+        network::DDNetwork network(weights, table_of(description.network), description.image.size_px);
         weights.expect_all_taken();
         return std::make_unique<NativeModel>(std::move(description), std::move(network));
     } catch (const Error& error) {
@@ -69,4 +69,4 @@ std::unique_ptr<DegreeModel> load_model(std::string_view bytes, const std::strin
     }
 }
 
-}  // namespace ddtool::native
+}  // namespace ddtool

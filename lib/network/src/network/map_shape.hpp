@@ -6,7 +6,7 @@
 
 #include "network/dd_tables.hpp"
 
-namespace ddtool::native {
+namespace ddtool::network {
 
 /// A square map in memory: row by row, with the channels of a place together, and around it a border one place wide
 /// that stays 0 (the padding of a 3x3 convolution).
@@ -37,4 +37,4 @@ inline std::vector<std::size_t> places(const MapShape& shape, std::size_t stride
     return found;
 }
 
-}  // namespace ddtool::native
+}  // namespace ddtool::network

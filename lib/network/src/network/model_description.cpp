@@ -5,14 +5,14 @@
 #include "ddtool/base/error.hpp"
 #include "system/expect.hpp"
 
-namespace ddtool::native {
+namespace ddtool {
 namespace {
 
 constexpr std::array<const char*, 2> loss_names{"cross-entropy", "bce"};
 
 }  // namespace
 
-ModelDescription parse_description(const std::string& text, const std::string& file) {
+ModelDescription parse_model_description(const std::string& text, const std::string& file) {
     try {
         auto description = parse_json(text, "JSON").get<ModelDescription>();
         expect_one_of("loss", description.loss, loss_names);
@@ -24,4 +24,4 @@ ModelDescription parse_description(const std::string& text, const std::string& f
     }
 }
 
-}  // namespace ddtool::native
+}  // namespace ddtool

@@ -6,7 +6,7 @@
 #include "ddtool/base/error.hpp"
 #include "ddtool/system/settings.hpp"
 
-namespace ddtool::native {
+namespace ddtool::network {
 
 NamedWeights::NamedWeights(std::vector<NamedTensor> tensors) {
     for (NamedTensor& tensor : tensors) {
@@ -32,4 +32,4 @@ void NamedWeights::expect_all_taken() const {
     }
 }
 
-}  // namespace ddtool::native
+}  // namespace ddtool::network

@@ -6,7 +6,7 @@
 
 #include "network/safetensors.hpp"
 
-namespace ddtool::native {
+namespace ddtool::network {
 
 /// The tensors of a file, from which a network takes each of its own by name and shape.
 class NamedWeights {
@@ -23,4 +23,4 @@ private:
     std::map<std::string, NamedTensor> tensors_;
 };
 
-}  // namespace ddtool::native
+}  // namespace ddtool::network

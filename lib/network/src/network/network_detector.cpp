@@ -4,7 +4,7 @@
 
 #include "ddtool/network/particle_renderer.hpp"
 
-namespace ddtool::native {
+namespace ddtool {
 namespace {
 
 /// The network, the renderer of its input, and the memory of one image.
@@ -30,4 +30,4 @@ DegeneracyDetector network_detector(std::shared_ptr<DegreeModel> model) {
     };
 }
 
-}  // namespace ddtool::native
+}  // namespace ddtool

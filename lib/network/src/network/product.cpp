@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace ddtool::native {
+namespace ddtool::network {
 namespace {
 
 using WideLanes = float __attribute__((vector_size(block_width * sizeof(float))));
@@ -113,4 +113,4 @@ void multiply(const Product& product) {
     wide ? multiply_in_wide_lanes(product) : multiply_in_lanes(product);
 }
 
-}  // namespace ddtool::native
+}  // namespace ddtool::network

@@ -5,7 +5,7 @@
 
 #include "base/lanes.hpp"
 
-namespace ddtool::native {
+namespace ddtool::network {
 
 /// Outputs are computed in blocks of this many; every number of outputs must be a multiple of it.
 inline constexpr std::size_t block_width = 2 * lane_count;
@@ -49,4 +49,4 @@ void multiply(const Product& product);
 void multiply_in_wide_lanes(const Product& product);
 void multiply_in_lanes(const Product& product);
 
-}  // namespace ddtool::native
+}  // namespace ddtool::network

@@ -8,7 +8,7 @@
 #include "ddtool/system/settings.hpp"
 #include "system/atomic_file.hpp"
 
-namespace ddtool::native {
+namespace ddtool::network {
 namespace {
 
 static_assert(std::endian::native == std::endian::little, "safetensors are little-endian");
@@ -106,4 +106,4 @@ PlainWeights parse_safetensors(std::string_view bytes, const std::string& name) 
     }
 }
 
-}  // namespace ddtool::native
+}  // namespace ddtool::network

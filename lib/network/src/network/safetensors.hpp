@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace ddtool::native {
+namespace ddtool::network {
 
 /// A tensor of float32 values in memory, in C order.
 struct NamedTensor {
@@ -32,4 +32,4 @@ PlainWeights read_safetensors(const std::filesystem::path& path);
 /// The same for a file's content; `name` is used in error messages.
 PlainWeights parse_safetensors(std::string_view bytes, const std::string& name);
 
-}  // namespace ddtool::native
+}  // namespace ddtool::network

@@ -6,7 +6,7 @@
 
 DDTOOL_EMBED_FILE(ddtool_shipped_model, DDTOOL_SHIPPED_MODEL);
 
-namespace ddtool::native {
+namespace ddtool {
 namespace {
 
 std::string_view shipped_bytes() {
@@ -19,4 +19,4 @@ std::unique_ptr<DegreeModel> shipped_model() { return load_model(shipped_bytes()
 
 std::string shipped_model_fingerprint() { return Fingerprint().add(shipped_bytes()).hex(); }
 
-}  // namespace ddtool::native
+}  // namespace ddtool

@@ -6,7 +6,7 @@
 
 #include "base/lanes.hpp"
 
-namespace ddtool::native {
+namespace ddtool::network {
 namespace {
 
 using IntegerLanes = std::int32_t __attribute__((vector_size(sizeof(Lanes))));
@@ -79,4 +79,4 @@ void apply_softmax(const ScoreRows& matrix, float scale) {
     }
 }
 
-}  // namespace ddtool::native
+}  // namespace ddtool::network

@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-namespace ddtool::native {
+namespace ddtool::network {
 
 /// Rows of scores in memory. The first `columns` of each row are scores; the rest up to row_step, a multiple of
 /// lane_count, may be overwritten.
@@ -16,4 +16,4 @@ struct ScoreRows {
 /// Replaces every row by the softmax of `scale` times the row; `scale` must be above 0.
 void apply_softmax(const ScoreRows& matrix, float scale);
 
-}  // namespace ddtool::native
+}  // namespace ddtool::network

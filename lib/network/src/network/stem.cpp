@@ -4,7 +4,7 @@
 
 #include "base/lanes.hpp"
 
-namespace ddtool::native {
+namespace ddtool::network {
 namespace {
 
 DDTOOL_VECTORISED void fill(Floats& map, const MapShape& shape, const Floats& bias) {
@@ -93,4 +93,4 @@ void Stem::add_pixel(std::size_t y, std::size_t x, float value) {
     }
 }
 
-}  // namespace ddtool::native
+}  // namespace ddtool::network

@@ -6,7 +6,7 @@
 #include "network/folded_kernel.hpp"
 #include "network/map_shape.hpp"
 
-namespace ddtool::native {
+namespace ddtool::network {
 
 /// The network's first convolution with its batch normalisation, 3x3 max pooling of stride 2, and ReLU. An image of
 /// particles is nearly empty, so it adds each marked pixel to the few outputs that the pixel affects.
@@ -34,4 +34,4 @@ private:
     Floats out_;
 };
 
-}  // namespace ddtool::native
+}  // namespace ddtool::network

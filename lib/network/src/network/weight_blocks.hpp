@@ -3,7 +3,7 @@
 #include "network/floats.hpp"
 #include "network/product.hpp"
 
-namespace ddtool::native {
+namespace ddtool::network {
 
 /// Lays out the weights weight_of(output, input) as WeightBlocks without gaps. `outputs` must be a multiple of
 /// block_width.
@@ -19,4 +19,4 @@ Floats packed_weights(std::size_t outputs, std::size_t inputs, const WeightOf& w
     return blocks;
 }
 
-}  // namespace ddtool::native
+}  // namespace ddtool::network

@@ -4,7 +4,7 @@
 #include "network/affine_layer.hpp"
 #include "network/weight_blocks.hpp"
 
-namespace ddtool::native {
+namespace ddtool::network {
 namespace {
 
 /// A tile computes 4x4 outputs from 6x6 inputs: F(4x4, 3x3) of Lavin and Gray 2016, whose matrices are A, B and G.
@@ -184,4 +184,4 @@ const float* WinogradLayer::run(const float* in, const float* skip) {
     return out_.data();
 }
 
-}  // namespace ddtool::native
+}  // namespace ddtool::network

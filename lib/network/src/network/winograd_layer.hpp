@@ -5,7 +5,7 @@
 #include "network/folded_kernel.hpp"
 #include "network/map_shape.hpp"
 
-namespace ddtool::native {
+namespace ddtool::network {
 
 /// A 3x3 convolution of stride 1 by the minimal filtering F(4x4, 3x3) of Lavin and Gray 2016 (section 4.3): sixteen
 /// outputs take 36 products instead of 144. The rounding errors of its transforms are about five times those of the
@@ -31,4 +31,4 @@ private:
     Floats out_;
 };
 
-}  // namespace ddtool::native
+}  // namespace ddtool::network

@@ -7,7 +7,7 @@ DDTOOL_EMBED_FILE(ddtool_map_view_js, DDTOOL_PAGE_ASSETS "/map_view.js");
 DDTOOL_EMBED_FILE(ddtool_time_lines_js, DDTOOL_PAGE_ASSETS "/time_lines.js");
 DDTOOL_EMBED_FILE(ddtool_explorer_js, DDTOOL_PAGE_ASSETS "/explorer.js");
 
-namespace ddtool::html {
+namespace ddtool::report {
 namespace {
 
 std::string_view between(const char* begin, const char* end) { return {begin, static_cast<std::size_t>(end - begin)}; }
@@ -24,4 +24,4 @@ std::string explorer_script() {
     return script;
 }
 
-}  // namespace ddtool::html
+}  // namespace ddtool::report

@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-namespace ddtool::html {
+namespace ddtool::report {
 
 /// The style sheet of every page (CSS).
 std::string_view style_sheet();
@@ -11,4 +11,4 @@ std::string_view style_sheet();
 /// The script of a page's explorer (JavaScript). It ends with the call that starts it.
 std::string explorer_script();
 
-}  // namespace ddtool::html
+}  // namespace ddtool::report

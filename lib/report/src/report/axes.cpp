@@ -6,7 +6,7 @@
 
 #include "report/ticks.hpp"
 
-namespace ddtool::plot {
+namespace ddtool::report {
 namespace {
 
 constexpr double title_height_px = 12.0;
@@ -253,4 +253,4 @@ void Axes::draw_colour_bar(Canvas& canvas, const Frame& frame) const {
         colour_bar_->label, label_height_px);
 }
 
-}  // namespace ddtool::plot
+}  // namespace ddtool::report

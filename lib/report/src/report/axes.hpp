@@ -11,7 +11,7 @@
 #include "report/canvas.hpp"
 #include "system/png_file.hpp"
 
-namespace ddtool::plot {
+namespace ddtool::report {
 
 /// A range of values from low to high; empty until a value is included.
 struct Range {
@@ -110,4 +110,4 @@ private:
     std::optional<ColourBar> colour_bar_;
 };
 
-}  // namespace ddtool::plot
+}  // namespace ddtool::report

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
-namespace ddtool::plot {
+namespace ddtool::report {
 namespace {
 
 constexpr int enlarged = 2;       ///< the canvas is drawn this many times as large as the page, and then reduced
@@ -133,4 +133,4 @@ cv::Mat3b Canvas::page() const {
     return reduced;
 }
 
-}  // namespace ddtool::plot
+}  // namespace ddtool::report

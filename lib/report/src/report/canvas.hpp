@@ -6,7 +6,7 @@
 
 #include "report/colour.hpp"
 
-namespace ddtool::plot {
+namespace ddtool::report {
 
 /// A place on a canvas: pixels from the left and from the top.
 struct Pixel {
@@ -60,4 +60,4 @@ private:
     cv::Mat3b pixels_;
 };
 
-}  // namespace ddtool::plot
+}  // namespace ddtool::report

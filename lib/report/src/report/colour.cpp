@@ -4,7 +4,7 @@
 #include <array>
 #include <opencv2/imgproc.hpp>
 
-namespace ddtool::plot {
+namespace ddtool::report {
 
 Colour series_colour(std::size_t index) {
     static constexpr std::array<Colour, 7> colours{
@@ -27,4 +27,4 @@ Colour heat_colour(double fraction) {
     return {bgr[2], bgr[1], bgr[0]};
 }
 
-}  // namespace ddtool::plot
+}  // namespace ddtool::report

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace ddtool::plot {
+namespace ddtool::report {
 
 struct Colour {
     std::uint8_t red = 0;
@@ -25,4 +25,4 @@ Colour series_colour(std::size_t index);
 /// From dark blue (0) through red to orange (1), readable on white: most of matplotlib's "plasma".
 Colour heat_colour(double fraction);
 
-}  // namespace ddtool::plot
+}  // namespace ddtool::report

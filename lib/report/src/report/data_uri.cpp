@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 
-namespace ddtool::html {
+namespace ddtool::report {
 
 std::string base64(std::string_view bytes) {
     constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
@@ -24,4 +24,4 @@ std::string base64(std::string_view bytes) {
 
 std::string png_uri(std::string_view png) { return "data:image/png;base64," + base64(png); }
 
-}  // namespace ddtool::html
+}  // namespace ddtool::report

@@ -1,6 +1,6 @@
 #include "report/escape.hpp"
 
-namespace ddtool::html {
+namespace ddtool::report {
 namespace {
 
 std::string_view reference_of(char c) {
@@ -22,7 +22,7 @@ std::string_view reference_of(char c) {
 
 }  // namespace
 
-std::string escaped(std::string_view text) {
+std::string html_escaped(std::string_view text) {
     std::string result;
     for (const char c : text) {
         const std::string_view reference = reference_of(c);
@@ -43,4 +43,4 @@ std::string script_json(const Json& value) {
     return result;
 }
 
-}  // namespace ddtool::html
+}  // namespace ddtool::report

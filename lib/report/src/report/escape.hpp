@@ -5,13 +5,13 @@
 
 #include "ddtool/system/settings.hpp"
 
-namespace ddtool::html {
+namespace ddtool::report {
 
 /// The text escaped for HTML, in an element or a quoted attribute.
-std::string escaped(std::string_view text);
+std::string html_escaped(std::string_view text);
 
 /// JSON for a script element. Nothing in it can end the element, because '<' is written as \u003c. Bytes that are not
 /// UTF-8, which a file name may contain, become the replacement character.
 std::string script_json(const Json& value);
 
-}  // namespace ddtool::html
+}  // namespace ddtool::report

@@ -3,7 +3,7 @@
 #include <numeric>
 #include <utility>
 
-namespace ddtool::plot {
+namespace ddtool::report {
 
 Figure::Figure(FigureLayout layout) : layout_(std::move(layout)), axes_(layout_.row_shares.size() * layout_.columns) {}
 
@@ -38,4 +38,4 @@ void Figure::write_png(const std::filesystem::path& path) const {
     ddtool::write_png(path, pixels_of(page));
 }
 
-}  // namespace ddtool::plot
+}  // namespace ddtool::report

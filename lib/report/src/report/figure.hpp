@@ -6,7 +6,7 @@
 
 #include "report/axes.hpp"
 
-namespace ddtool::plot {
+namespace ddtool::report {
 
 struct FigureLayout {
     double width_px = 1000.0;
@@ -33,4 +33,4 @@ private:
     std::vector<std::optional<Axes>> axes_;  ///< row by row
 };
 
-}  // namespace ddtool::plot
+}  // namespace ddtool::report

@@ -3,7 +3,7 @@
 
 #include "report/axes.hpp"
 
-namespace ddtool::plot {
+namespace ddtool::report {
 namespace {
 
 using Numbers = std::vector<double>;
@@ -148,4 +148,4 @@ Axes& Axes::picture(const PixelView& pixels, const Range& x, const Range& y) {
     return *this;
 }
 
-}  // namespace ddtool::plot
+}  // namespace ddtool::report

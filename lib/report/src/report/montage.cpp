@@ -6,7 +6,7 @@
 #include "ddtool/base/error.hpp"
 #include "report/canvas.hpp"
 
-namespace ddtool::plot {
+namespace ddtool::report {
 namespace {
 
 constexpr double tile_gap_px = 4.0;
@@ -68,4 +68,4 @@ cv::Mat3b montage(const std::vector<std::string>& titles, const std::vector<Mont
     return canvas.page();
 }
 
-}  // namespace ddtool::plot
+}  // namespace ddtool::report

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace ddtool::plot {
+namespace ddtool::report {
 
 /// A row of pictures under a caption, in groups (such as the classes).
 struct MontageRow {
@@ -17,4 +17,4 @@ struct MontageRow {
 /// row has another number of groups than there are titles.
 cv::Mat3b montage(const std::vector<std::string>& titles, const std::vector<MontageRow>& rows, double tile_px);
 
-}  // namespace ddtool::plot
+}  // namespace ddtool::report

@@ -11,7 +11,7 @@
 #include "system/failure_text.hpp"
 #include "system/log.hpp"
 
-namespace ddtool::html {
+namespace ddtool::report {
 namespace {
 
 /// The page's Content-Security-Policy. The browser loads nothing from outside of the page, even if a text in it should
@@ -20,7 +20,7 @@ constexpr const char* policy =
     "default-src 'none'; img-src data:; style-src 'unsafe-inline'; script-src 'unsafe-inline'";
 
 std::string element(const std::string& tag, const std::string& text) {
-    return "<" + tag + ">" + escaped(text) + "</" + tag.substr(0, tag.find(' ')) + ">";
+    return "<" + tag + ">" + html_escaped(text) + "</" + tag.substr(0, tag.find(' ')) + ">";
 }
 
 std::string id_of_section(std::size_t index) { return "section-" + std::to_string(index + 1); }
@@ -56,7 +56,7 @@ void add_values(Table& table, const std::string& path, const Json& value) {
 
 }  // namespace
 
-std::string name_of(const std::filesystem::path& folder) {
+std::string folder_name(const std::filesystem::path& folder) {
     const std::filesystem::path path = std::filesystem::absolute(folder).lexically_normal();
     return (path.has_filename() ? path : path.parent_path()).filename().string();
 }
@@ -105,7 +105,7 @@ Page& Page::table(const Table& table) {
         return *this;
     }
     const std::string name = headings_.empty() ? title_ : headings_.back();
-    body_ += R"(<div class="wide" role="region" tabindex="0" aria-label=")" + escaped(name) + ", table\">\n" +
+    body_ += R"(<div class="wide" role="region" tabindex="0" aria-label=")" + html_escaped(name) + ", table\">\n" +
              table_element(table.words()) + "</div>\n";
     return *this;
 }
@@ -123,7 +123,7 @@ Page& Page::moments(std::span<const Moment> moments) {
     body_ += "<div class=\"pictures tiles\">\n";
     for (const auto& [picture, row] : moments) {
         figure(picture, R"(<button type="button" data-row=")" + std::to_string(row) +
-                            "\" aria-label=\"Show on the map: " + escaped(picture.title) +
+                            "\" aria-label=\"Show on the map: " + html_escaped(picture.title) +
                             "\">Show on the map</button>");
     }
     body_ += "</div>\n";
@@ -136,8 +136,9 @@ void Page::figure(const Picture& picture, const std::string& button) {
         return;
     }
     picture_bytes_ += picture.png.size();
-    body_ += "<figure><img alt=\"" + escaped(picture.title) + "\" src=\"" + png_uri(picture.png) + "\">\n<figcaption>" +
-             element("b", picture.title) + " " + escaped(picture.caption) + button + "</figcaption></figure>\n";
+    body_ += "<figure><img alt=\"" + html_escaped(picture.title) + "\" src=\"" + png_uri(picture.png) +
+             "\">\n<figcaption>" + element("b", picture.title) + " " + html_escaped(picture.caption) + button +
+             "</figcaption></figure>\n";
 }
 
 Page& Page::values(const std::string& title, const Json& values) {
@@ -171,7 +172,7 @@ std::string Page::html() const {
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
         "<meta name=\"color-scheme\" content=\"light dark\">\n<meta http-equiv=\"Content-Security-Policy\" content=\"" +
-        escaped(policy) + "\">\n<link rel=\"icon\" href=\"data:,\">\n" + element("title", title_ + " - " + kind_) +
+        html_escaped(policy) + "\">\n<link rel=\"icon\" href=\"data:,\">\n" + element("title", title_ + " - " + kind_) +
         "\n<style>\n";
     page += style_sheet();
     page += "</style>\n</head>\n<body>\n<header>" + element("p", kind_) + element("h1", title_) + "</header>\n" +
@@ -196,4 +197,4 @@ bool write_page(const std::filesystem::path& file, const std::function<Page()>& 
     }
 }
 
-}  // namespace ddtool::html
+}  // namespace ddtool::report

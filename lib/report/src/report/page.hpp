@@ -9,7 +9,7 @@
 #include "ddtool/system/settings.hpp"
 #include "report/table.hpp"
 
-namespace ddtool::html {
+namespace ddtool::report {
 
 struct Fact {
     std::string name;
@@ -29,7 +29,7 @@ struct Moment {
 };
 
 /// The last part of a folder's path, for a title; works for "." and "out/", too.
-std::string name_of(const std::filesystem::path& folder);
+std::string folder_name(const std::filesystem::path& folder);
 
 /// A picture from a PNG file. Throws Error naming the file if it cannot be read.
 Picture picture_of_file(const std::string& title, const std::filesystem::path& file);
@@ -83,4 +83,4 @@ private:
 /// the page of an earlier run is then removed. Returns whether the page was written.
 bool write_page(const std::filesystem::path& file, const std::function<Page()>& make);
 
-}  // namespace ddtool::html
+}  // namespace ddtool::report

@@ -6,7 +6,7 @@
 #include <numeric>
 #include <set>
 
-namespace ddtool::html {
+namespace ddtool::report {
 namespace {
 
 /// The row of [begin, end) whose value comes first in the order `before`. NaN values are passed over; if all values are
@@ -46,4 +46,4 @@ std::vector<std::size_t> telling_rows(std::span<const std::vector<double>> lines
     return {kept.begin(), kept.end()};
 }
 
-}  // namespace ddtool::html
+}  // namespace ddtool::report

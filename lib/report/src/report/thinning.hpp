@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-namespace ddtool::html {
+namespace ddtool::report {
 
 /// Chooses rows that show in a picture what all rows would. If the lines have more than `most` rows, they are divided
 /// into stretches; of each stretch, its first row is kept and, for every line, the rows with its smallest and its
@@ -13,4 +13,4 @@ namespace ddtool::html {
 /// lines.
 std::vector<std::size_t> telling_rows(std::span<const std::vector<double>> lines, std::size_t most);
 
-}  // namespace ddtool::html
+}  // namespace ddtool::report

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
-namespace ddtool::plot {
+namespace ddtool::report {
 namespace {
 
 /// The smallest number of the form 1, 2, 5 or 10 times a power of ten that is not below the distance.
@@ -26,8 +26,11 @@ Ticks nice_ticks(double low, double high, std::size_t wanted) {
     Ticks ticks;
     ticks.decimals = std::max(0, static_cast<int>(-std::floor(std::log10(distance) + 1e-9)));
     const double tolerance = 1e-9;
+    const double first = std::ceil(low / distance - tolerance);
     const double last = std::floor(high / distance + tolerance);
-    for (double multiple = std::ceil(low / distance - tolerance); multiple <= last; multiple += 1.0) {
+    const auto count = static_cast<std::size_t>(std::max(0.0, last - first + 1.0));
+    for (std::size_t index = 0; index < count; ++index) {
+        const double multiple = first + static_cast<double>(index);
         ticks.places.push_back(multiple == 0.0 ? 0.0 : multiple * distance);  // avoids the label "-0"
     }
     return ticks;
@@ -43,4 +46,4 @@ std::string tick_text(double place, int decimals) {
     return text.data();
 }
 
-}  // namespace ddtool::plot
+}  // namespace ddtool::report

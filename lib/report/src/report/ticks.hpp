@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace ddtool::plot {
+namespace ddtool::report {
 
 /// The marks of an axis, 1, 2 or 5 times a power of ten apart.
 struct Ticks {
@@ -18,4 +18,4 @@ Ticks nice_ticks(double low, double high, std::size_t wanted);
 /// The text of a mark with that many decimals. Numbers of seven digits and more are written as powers of ten.
 std::string tick_text(double place, int decimals);
 
-}  // namespace ddtool::plot
+}  // namespace ddtool::report

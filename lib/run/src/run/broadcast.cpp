@@ -22,10 +22,10 @@ void Broadcast::publish(std::shared_ptr<const LiveMessage> message) {
 
 void Broadcast::opened(ClientId client) {
     clients_[client];
-    links_.send_text(client, foxglove::server_info("ddtool slam", session_));
-    links_.send_text(client, foxglove::advertisement(channels_));
+    links_.send_text(client, foxglove_server_info("ddtool slam", session_));
+    links_.send_text(client, foxglove_advertisement(channels_));
     if (time_ns_) {
-        links_.send_binary(client, foxglove::time_message(*time_ns_));
+        links_.send_binary(client, foxglove_time_message(*time_ns_));
     }
 }
 
@@ -36,8 +36,8 @@ void Broadcast::received(ClientId client, const std::string& payload, bool is_te
         if (!is_text) {
             throw Error("a binary message; expected subscribe or unsubscribe as text");
         }
-        const foxglove::Request request = foxglove::parse_request(payload);
-        for (const foxglove::Subscription& wanted : request.subscribe) {
+        const FoxgloveRequest request = parse_foxglove_request(payload);
+        for (const FoxgloveSubscription& wanted : request.subscribe) {
             subscribe(client, wanted);
         }
         for (const std::uint32_t subscription : request.unsubscribe) {
@@ -56,14 +56,14 @@ void Broadcast::catch_up() {
 
 Broadcast::ChannelId Broadcast::channel_of(const LiveMessage& message) {
     const auto known = std::find_if(channels_.begin(), channels_.end(),
-                                    [&](const foxglove::Channel& each) { return each.topic == message.topic; });
+                                    [&](const FoxgloveChannel& each) { return each.topic == message.topic; });
     if (known != channels_.end()) {
         return known->id;
     }
     channels_.push_back({static_cast<ChannelId>(channels_.size()), message.topic, message.type_name});
     latest_.emplace_back();
     for (const auto& [client, wishes] : clients_) {
-        links_.send_text(client, foxglove::advertisement({&channels_.back(), 1}));
+        links_.send_text(client, foxglove_advertisement({&channels_.back(), 1}));
     }
     return channels_.back().id;
 }
@@ -75,7 +75,7 @@ void Broadcast::tell_time(std::int64_t stamp_ns) {
         return;
     }
     time_ns_ = stamp_ns;
-    const std::string message = foxglove::time_message(stamp_ns);
+    const std::string message = foxglove_time_message(stamp_ns);
     for (const auto& [client, wishes] : clients_) {
         if (has_room(client)) {
             links_.send_binary(client, message);
@@ -99,11 +99,10 @@ void Broadcast::pay(ClientId client, Wishes& wishes) {
 
 void Broadcast::send_latest(ClientId client, const Wishes& wishes, ChannelId channel) {
     const LiveMessage& message = *latest_[channel];
-    links_.send_binary(client,
-                       foxglove::data_message(wishes.subscriptions.at(channel), message.stamp_ns, message.data));
+    links_.send_binary(client, foxglove_data_message(wishes.subscriptions.at(channel), message.stamp_ns, message.data));
 }
 
-void Broadcast::subscribe(ClientId client, const foxglove::Subscription& wanted) {
+void Broadcast::subscribe(ClientId client, const FoxgloveSubscription& wanted) {
     Wishes& wishes = clients_.at(client);
     if (wanted.channel >= channels_.size()) {
         return complain(client, "subscribe: there is no channel " + std::to_string(wanted.channel));
@@ -132,7 +131,7 @@ void Broadcast::unsubscribe(ClientId client, std::uint32_t subscription) {
 /// Sends an error message to the client. A client that does not read gets none, because its messages would pile up.
 void Broadcast::complain(ClientId client, const std::string& text) {
     if (has_room(client)) {
-        links_.send_text(client, foxglove::status(foxglove::StatusLevel::error, text));
+        links_.send_text(client, foxglove_status(FoxgloveStatusLevel::error, text));
     }
 }
 

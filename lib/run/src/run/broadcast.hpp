@@ -56,13 +56,13 @@ private:
     void owe(ClientId client, Wishes& wishes, ChannelId channel);
     void pay(ClientId client, Wishes& wishes);
     void send_latest(ClientId client, const Wishes& wishes, ChannelId channel);
-    void subscribe(ClientId client, const foxglove::Subscription& wanted);
+    void subscribe(ClientId client, const FoxgloveSubscription& wanted);
     void unsubscribe(ClientId client, std::uint32_t subscription);
     void complain(ClientId client, const std::string& text);
 
     ClientLinks& links_;
     std::string session_;
-    std::vector<foxglove::Channel> channels_;  ///< by their ids
+    std::vector<FoxgloveChannel> channels_;  ///< by their ids
     std::vector<std::shared_ptr<const LiveMessage>> latest_;
     std::optional<std::int64_t> time_ns_;
     std::map<ClientId, Wishes> clients_;

@@ -33,7 +33,7 @@ void write_row(std::ostream& out, const UpdateSummary& update) {
     out << '\n';
 }
 
-void draw_time_line(plot::Axes& axes, const std::vector<UpdateSummary>& updates) {
+void draw_time_line(report::Axes& axes, const std::vector<UpdateSummary>& updates) {
     std::vector<double> time_s, degree, corrected_m;
     for (const UpdateSummary& update : updates) {
         time_s.push_back(1e-9 * static_cast<double>(update.stamp_ns - updates.front().stamp_ns));
@@ -41,8 +41,8 @@ void draw_time_line(plot::Axes& axes, const std::vector<UpdateSummary>& updates)
         corrected_m.push_back(10.0 * update.corrected_m);
     }
     axes.x_label("time [s]").y_label("degree").y_range(0.0, 1.0);
-    axes.line(time_s, degree, {.label = "degree", .colour = plot::series_colour(0)});
-    axes.line(time_s, corrected_m, {.label = "correction [0.1 m]", .colour = plot::series_colour(1)});
+    axes.line(time_s, degree, {.label = "degree", .colour = report::series_colour(0)});
+    axes.line(time_s, corrected_m, {.label = "correction [0.1 m]", .colour = report::series_colour(1)});
 }
 
 }  // namespace
@@ -57,7 +57,7 @@ void DegeneracyCsv::add(const UpdateSummary& update) {
 
 void write_degeneracy_picture(const std::filesystem::path& file, const std::vector<UpdateSummary>& updates,
                               const MapRaster& map, const Trajectory& path) {
-    plot::Figure figure({.height_px = 900.0, .row_shares = {3.0, 1.0}});
+    report::Figure figure({.height_px = 900.0, .row_shares = {3.0, 1.0}});
     const std::vector<std::uint8_t> pixels = map_pixels(map);
     std::vector<double> x_m, y_m, degree;
     for (const auto& [stamp_ns, pose] : places_of(updates, path)) {

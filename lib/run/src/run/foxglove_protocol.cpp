@@ -10,7 +10,7 @@
 #include "ddtool/system/settings.hpp"
 #include "logs/messages/ros2_schema.hpp"
 
-namespace ddtool::foxglove {
+namespace ddtool {
 namespace {
 
 static_assert(std::endian::native == std::endian::little, "numbers are copied as they are");
@@ -37,8 +37,8 @@ std::uint32_t id(const Json& number) {
     return number.get<std::uint32_t>();
 }
 
-std::vector<Subscription> subscriptions(const Json& list) {
-    std::vector<Subscription> wanted;
+std::vector<FoxgloveSubscription> subscriptions(const Json& list) {
+    std::vector<FoxgloveSubscription> wanted;
     for (const Json& each : list) {
         wanted.push_back({id(each.at("id")), id(each.at("channelId"))});
     }
@@ -51,7 +51,7 @@ std::vector<std::uint32_t> ids(const Json& list) {
     return found;
 }
 
-Request request(const Json& message) {
+FoxgloveRequest request(const Json& message) {
     const std::string operation = message.at("op").get<std::string>();
     if (operation == "subscribe") {
         return {.subscribe = subscriptions(message.at("subscriptions")), .unsubscribe = {}};
@@ -64,37 +64,37 @@ Request request(const Json& message) {
 
 }  // namespace
 
-std::string server_info(const std::string& name, const std::string& session) {
+std::string foxglove_server_info(const std::string& name, const std::string& session) {
     return Json{{"op", "serverInfo"}, {"name", name}, {"capabilities", {"time"}}, {"sessionId", session}}.dump();
 }
 
-std::string advertisement(std::span<const Channel> channels) {
+std::string foxglove_advertisement(std::span<const FoxgloveChannel> channels) {
     Json list = Json::array();
-    for (const Channel& channel : channels) {
+    for (const FoxgloveChannel& channel : channels) {
         list.push_back({{"id", channel.id},
                         {"topic", channel.topic},
                         {"encoding", "cdr"},
                         {"schemaName", channel.type_name},
                         {"schemaEncoding", "ros2msg"},
-                        {"schema", ros::ros2_schema(channel.type_name)}});
+                        {"schema", ros2_schema(channel.type_name)}});
     }
     return Json{{"op", "advertise"}, {"channels", list}}.dump();
 }
 
-std::string status(StatusLevel level, const std::string& text) {
+std::string foxglove_status(FoxgloveStatusLevel level, const std::string& text) {
     // The text may quote bytes from a client, which are not always valid UTF-8.
     return Json{{"op", "status"}, {"level", static_cast<int>(level)}, {"message", text}}.dump(
         -1, ' ', false, Json::error_handler_t::replace);
 }
 
-std::string time_message(std::int64_t stamp_ns) {
+std::string foxglove_time_message(std::int64_t stamp_ns) {
     std::string bytes;
     append(bytes, Operation::time);
     append(bytes, stamp_ns);
     return bytes;
 }
 
-std::string data_message(std::uint32_t subscription, std::int64_t stamp_ns, std::span<const std::byte> data) {
+std::string foxglove_data_message(std::uint32_t subscription, std::int64_t stamp_ns, std::span<const std::byte> data) {
     std::string bytes;
     bytes.reserve(sizeof(Operation) + sizeof(subscription) + sizeof(stamp_ns) + data.size());
     append(bytes, Operation::message_data);
@@ -104,7 +104,7 @@ std::string data_message(std::uint32_t subscription, std::int64_t stamp_ns, std:
     return bytes;
 }
 
-Request parse_request(const std::string& text) {
+FoxgloveRequest parse_foxglove_request(const std::string& text) {
     try {
         return request(parse_json(text, "request"));
     } catch (const Json::exception& error) {
@@ -112,4 +112,4 @@ Request parse_request(const std::string& text) {
     }
 }
 
-}  // namespace ddtool::foxglove
+}  // namespace ddtool

@@ -12,7 +12,7 @@ std::string session_name() { return std::to_string(std::chrono::system_clock::no
 }  // namespace
 
 LiveServer::LiveServer(const std::string& address, std::uint16_t port)
-    : broadcast_(network_, session_name()), network_(address, port, foxglove::subprotocols) {
+    : broadcast_(network_, session_name()), network_(address, port, foxglove_subprotocols) {
     network_.start({.opened = [this](ClientId client) { broadcast_.opened(client); },
                     .closed = [this](ClientId client) { broadcast_.closed(client); },
                     .received = [this](ClientId client, const std::string& payload,

@@ -145,7 +145,7 @@ Json map_json(const MapRaster& map) {
     const std::vector<std::uint8_t> pixels = map_pixels(map);
     const std::string png =
         png_bytes({.width_px = map.width, .height_px = map.height, .channels = 1, .pixels = pixels});
-    return {{"image", html::png_uri(png)},
+    return {{"image", report::png_uri(png)},
             {"left_m", map.origin_m.x_m},
             {"bottom_m", map.origin_m.y_m},
             {"width_m", map.width_m()},
@@ -158,7 +158,7 @@ std::vector<std::size_t> rows_of(const std::vector<Line>& lines) {
     for (const Line& line : lines) {
         values.push_back(line.values);
     }
-    return html::telling_rows(values, most_rows);
+    return report::telling_rows(values, most_rows);
 }
 
 std::vector<std::size_t> rows_of(const Trajectory& places) {
@@ -167,7 +167,7 @@ std::vector<std::size_t> rows_of(const Trajectory& places) {
         values[0].push_back(pose.x_m);
         values[1].push_back(pose.y_m);
     }
-    return html::telling_rows(values, most_rows);
+    return report::telling_rows(values, most_rows);
 }
 
 }  // namespace

@@ -59,8 +59,8 @@ void RunFolder::write_json(const std::string& name, const Json& content) {
     write_file(place(name), content.dump(2) + "\n");
 }
 
-bool RunFolder::write_page(const std::function<html::Page()>& make) {
-    const bool written = html::write_page(folder_ / page_name, make);
+bool RunFolder::write_page(const std::function<report::Page()>& make) {
+    const bool written = report::write_page(folder_ / page_name, make);
     if (written) {
         files_.emplace_back(page_name);
     }

@@ -30,8 +30,8 @@ public:
     /// Writes the trajectories, the map and its picture, and completes the MCAP files.
     void finish(const FilterRun& run, const MapRaster& map);
     void write_json(const std::string& name, const Json& content);
-    /// Writes report.html as html::write_page() does and returns whether it could be written.
-    bool write_page(const std::function<html::Page()>& make);
+    /// Writes report.html as report::write_page() does and returns whether it could be written.
+    bool write_page(const std::function<report::Page()>& make);
     /// What the filter has done so far, in as much detail as pictures need.
     [[nodiscard]] const RunCourse& course() const { return course_; }
 

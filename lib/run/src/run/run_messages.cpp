@@ -37,7 +37,7 @@ Trajectory thinned(const Trajectory& path) {
 
 void RunMessages::add(const SensorFrame& frame, const Update& update) {
     write_transforms(frame, update.pose);
-    sink_.write("/scan", frame.scan.stamp_ns, ros::to_message(frame.scan, laser_frame));
+    sink_.write("/scan", frame.scan.stamp_ns, scan_message(frame.scan, laser_frame));
     write_particles(update.corrected);
     write_degeneracy(summary_of(update));
 }
@@ -52,41 +52,41 @@ void RunMessages::write_transforms(const SensorFrame& frame, const Pose2& map_fr
     if (robot_from_laser_ != frame.robot_from_laser) {
         robot_from_laser_ = frame.robot_from_laser;
         sink_.write("/tf_static", stamp_ns,
-                    ros::transform_message(stamp_ns, robot_frame, laser_frame, frame.robot_from_laser));
+                    transform_message(stamp_ns, robot_frame, laser_frame, frame.robot_from_laser));
     }
     const Pose2 map_from_odom = map_from_robot * inverse(frame.odom_from_robot);
     // Both transforms go into one message, so that a client that gets only the latest message of the topic still has
     // the whole chain from the map to the robot.
-    ros::TFMessage way = ros::transform_message(stamp_ns, map_frame, odom_frame, map_from_odom);
+    RosTFMessage way = transform_message(stamp_ns, map_frame, odom_frame, map_from_odom);
     way.transforms.push_back(
-        ros::transform_message(stamp_ns, odom_frame, robot_frame, frame.odom_from_robot).transforms.front());
+        transform_message(stamp_ns, odom_frame, robot_frame, frame.odom_from_robot).transforms.front());
     sink_.write("/tf", stamp_ns, way);
 }
 
 void RunMessages::write_particles(const ParticleSnapshot& swarm) {
-    ros::PoseArray cloud{.header = {{swarm.stamp_ns}, map_frame}, .poses = {}};
+    RosPoseArray cloud{.header = {{swarm.stamp_ns}, map_frame}, .poses = {}};
     for (const SnapshotParticle& particle : swarm.particles) {
-        cloud.poses.push_back(ros::to_pose(particle.pose));
+        cloud.poses.push_back(to_ros_pose(particle.pose));
     }
     sink_.write("/particlecloud", swarm.stamp_ns, cloud);
 }
 
 void RunMessages::write_degeneracy(const UpdateSummary& update) {
     sink_.write("/degeneracy", update.stamp_ns,
-                ros::Degeneracy{{update.stamp_ns},
-                                update.degree,
-                                update.dispersion,
-                                update.swarm.major_variance_m2,
-                                update.swarm.minor_variance_m2,
-                                update.swarm.major_direction_rad,
-                                update.corrected_m,
-                                update.resampled ? 1U : 0U});
+                RosDegeneracy{{update.stamp_ns},
+                              update.degree,
+                              update.dispersion,
+                              update.swarm.major_variance_m2,
+                              update.swarm.minor_variance_m2,
+                              update.swarm.major_direction_rad,
+                              update.corrected_m,
+                              update.resampled ? 1U : 0U});
 }
 
 void RunMessages::add_pose(std::int64_t stamp_ns, const Rbpf& filter) {
     const Eigen::Matrix3d covariance = filter.pose_covariance();
-    ros::PoseWithCovarianceStamped pose{
-        .header = {{stamp_ns}, map_frame}, .pose = ros::to_pose(filter.pose()), .covariance = {}};
+    RosPoseWithCovarianceStamped pose{
+        .header = {{stamp_ns}, map_frame}, .pose = to_ros_pose(filter.pose()), .covariance = {}};
     // x, y and the rotation about z among the six axes of a ROS pose
     constexpr std::array<std::size_t, 3> places{0, 1, 5};
     for (std::size_t row = 0; row < 3; ++row) {
@@ -99,20 +99,20 @@ void RunMessages::add_pose(std::int64_t stamp_ns, const Rbpf& filter) {
 }
 
 void RunMessages::write_map(std::int64_t stamp_ns, const MapRaster& map) {
-    ros::OccupancyGrid message{.header = {{stamp_ns}, map_frame},
-                               .map_load_time = {stamp_ns},
-                               .resolution = static_cast<float>(map.cell_size_m),
-                               .width = static_cast<std::uint32_t>(map.width),
-                               .height = static_cast<std::uint32_t>(map.height),
-                               .origin = ros::to_pose({map.origin_m.x_m, map.origin_m.y_m, 0.0}),
-                               .data = map.cells};
+    RosOccupancyGrid message{.header = {{stamp_ns}, map_frame},
+                             .map_load_time = {stamp_ns},
+                             .resolution = static_cast<float>(map.cell_size_m),
+                             .width = static_cast<std::uint32_t>(map.width),
+                             .height = static_cast<std::uint32_t>(map.height),
+                             .origin = to_ros_pose({map.origin_m.x_m, map.origin_m.y_m, 0.0}),
+                             .data = map.cells};
     sink_.write("/map", stamp_ns, message);
 }
 
 void RunMessages::write_path(std::int64_t stamp_ns, const Trajectory& path) {
-    ros::Path message{.header = {{stamp_ns}, map_frame}, .poses = {}};
+    RosPath message{.header = {{stamp_ns}, map_frame}, .poses = {}};
     for (const StampedPose& pose : thinned(path)) {
-        message.poses.push_back(ros::pose_message(pose.stamp_ns, map_frame, pose.pose));
+        message.poses.push_back(pose_message(pose.stamp_ns, map_frame, pose.pose));
     }
     sink_.write("/path", stamp_ns, message);
 }

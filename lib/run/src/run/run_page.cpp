@@ -15,9 +15,9 @@
 namespace ddtool {
 namespace {
 
-std::vector<html::Fact> facts_of(const RunReport& run, const CostReport& cost) {
+std::vector<report::Fact> facts_of(const RunReport& run, const CostReport& cost) {
     const auto length = [](double length_m, int decimals) { return fixed_text(length_m, decimals) + " m"; };
-    std::vector<html::Fact> facts{
+    std::vector<report::Fact> facts{
         {"scans", std::to_string(run.scans)},
         {"duration", fixed_text(run.duration_s, 1) + " s"},
         {"path", length(run.path_m, 1)},
@@ -51,7 +51,7 @@ std::string caption_of(const WorstMoments::Moment& moment) {
            fixed_text(shape.minor_sd_m(), 3) + " m";
 }
 
-html::Moment shown(const WorstMoments::Moment& moment, ParticleRenderer& renderer, std::size_t row, double time_s) {
+report::Moment shown(const WorstMoments::Moment& moment, ParticleRenderer& renderer, std::size_t row, double time_s) {
     ParticleImage image;
     renderer.render(moment.swarm.particles, image);
     const std::string png =
@@ -60,7 +60,7 @@ html::Moment shown(const WorstMoments::Moment& moment, ParticleRenderer& rendere
             row};
 }
 
-void add_worst_moments(html::Page& page, const RunCourse& course, const RunExplorer& explorer,
+void add_worst_moments(report::Page& page, const RunCourse& course, const RunExplorer& explorer,
                        const ImageSettings& image) {
     page.section("Worst moments");
     const std::vector<WorstMoments::Moment> worst = course.worst().ranked();
@@ -71,7 +71,7 @@ void add_worst_moments(html::Page& page, const RunCourse& course, const RunExplo
     page.text("The highest degrees, a few seconds apart at least. The particles as a network sees them: the image \"" +
               Json(image.swarm).get<std::string>() + "\".");
     ParticleRenderer renderer(image);
-    std::vector<html::Moment> moments;
+    std::vector<report::Moment> moments;
     for (const WorstMoments::Moment& moment : worst) {
         const std::size_t row = row_at(moment.swarm.stamp_ns, course, explorer.updates);
         moments.push_back(shown(moment, renderer, row, explorer.data.at("x").at("values").at(row)));
@@ -89,9 +89,9 @@ Table stage_table(const RunReport& run) {
 
 }  // namespace
 
-html::Page run_page(const RunPageContent& content) {
+report::Page run_page(const RunPageContent& content) {
     const RunExplorer explorer = run_explorer(content.run, content.map, content.course);
-    html::Page page("ddtool slam", std::filesystem::path(content.log_file).filename().string());
+    report::Page page("ddtool slam", std::filesystem::path(content.log_file).filename().string());
     page.warnings(content.warnings).facts(facts_of(content.report, content.cost));
     page.section("Map and time lines")
         .text(

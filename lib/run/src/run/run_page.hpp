@@ -30,6 +30,6 @@ struct RunPageContent {
 
 /// Makes the report page of one run of the filter (docs/reports.md): the map with the path coloured by the degree,
 /// values over time, the worst moments as images, the errors where the true trajectory is known, and the settings.
-html::Page run_page(const RunPageContent& content);
+report::Page run_page(const RunPageContent& content);
 
 }  // namespace ddtool

@@ -10,10 +10,10 @@ namespace {
 
 constexpr const char* snapshot_topic = "/particle_snapshots";
 
-ros::Pose2D to_message(const Pose2& pose) { return {pose.x_m, pose.y_m, pose.theta_rad}; }
-Pose2 from_message(const ros::Pose2D& pose) { return {pose.x, pose.y, pose.theta}; }
+RosPose2D to_message(const Pose2& pose) { return {pose.x_m, pose.y_m, pose.theta_rad}; }
+Pose2 from_message(const RosPose2D& pose) { return {pose.x, pose.y, pose.theta}; }
 
-ros::SnapshotParticle to_message(const SnapshotParticle& particle) {
+RosSnapshotParticle to_message(const SnapshotParticle& particle) {
     return {to_message(particle.pose),
             to_message(particle.matched_motion),
             to_message(particle.predicted_motion),
@@ -23,7 +23,7 @@ ros::SnapshotParticle to_message(const SnapshotParticle& particle) {
             particle.weight};
 }
 
-SnapshotParticle from_message(const ros::SnapshotParticle& particle) {
+SnapshotParticle from_message(const RosSnapshotParticle& particle) {
     return {from_message(particle.pose),
             from_message(particle.matched_motion),
             from_message(particle.predicted_motion),
@@ -33,10 +33,10 @@ SnapshotParticle from_message(const ros::SnapshotParticle& particle) {
             particle.weight};
 }
 
-RecordedSnapshot from_message(const ros::ParticleSnapshot& message) {
+RecordedSnapshot from_message(const RosParticleSnapshot& message) {
     RecordedSnapshot recorded{{message.stamp.ns, message.update, from_message(message.odometry_motion), {}},
                               {message.degeneracy}};
-    for (const ros::SnapshotParticle& particle : message.particles) {
+    for (const RosSnapshotParticle& particle : message.particles) {
         recorded.snapshot.particles.push_back(from_message(particle));
     }
     return recorded;
@@ -45,7 +45,7 @@ RecordedSnapshot from_message(const ros::ParticleSnapshot& message) {
 }  // namespace
 
 void SnapshotWriter::write(const ParticleSnapshot& snapshot, const Degeneracy& degeneracy) {
-    ros::ParticleSnapshot message{
+    RosParticleSnapshot message{
         {snapshot.stamp_ns}, snapshot.update, to_message(snapshot.odometry_motion), degeneracy.degree, {}};
     for (const SnapshotParticle& particle : snapshot.particles) {
         message.particles.push_back(to_message(particle));
@@ -59,11 +59,11 @@ SnapshotReader::SnapshotReader(const std::filesystem::path& path, LogProblemHand
 std::optional<RecordedSnapshot> SnapshotReader::next() {
     while (const auto message = reader_.next()) {
         const std::string& type = message->channel->schema.name;
-        if (type != ros::ParticleSnapshot::type_name) {
+        if (type != RosParticleSnapshot::type_name) {
             throw Error(file_ + ": topic " + message->channel->topic + " has " + type + "; expected " +
-                        ros::ParticleSnapshot::type_name);
+                        RosParticleSnapshot::type_name);
         }
-        if (const auto decoded = ros::decode_cdr<ros::ParticleSnapshot>(message->data)) {
+        if (const auto decoded = decode_cdr<RosParticleSnapshot>(message->data)) {
             return from_message(*decoded);
         }
         on_problem_({file_ + ": a damaged snapshot near byte " + std::to_string(message->file_offset),

@@ -4,7 +4,7 @@
 #include <array>
 #include <cstdio>
 
-namespace ddtool::plot {
+namespace ddtool {
 namespace {
 
 constexpr double page_width_px = 1000.0;
@@ -29,8 +29,8 @@ Columns columns_of(const std::vector<PosePair>& pairs) {
 
 /// The height that shows the path at equal scales over the page's width, limited to 350..800 px.
 double path_panel_height_px(const Columns& columns) {
-    Range x;
-    Range y;
+    report::Range x;
+    report::Range y;
     std::for_each(columns.reference_x_m.begin(), columns.reference_x_m.end(), [&](double v) { x.include(v); });
     std::for_each(columns.reference_y_m.begin(), columns.reference_y_m.end(), [&](double v) { y.include(v); });
     return std::clamp(page_width_px * y.length() / std::max(x.length(), 1e-9), 350.0, 800.0);
@@ -45,20 +45,20 @@ std::string summary(const ErrorStatistics& errors) {
 
 }  // namespace
 
-Figure error_figure(const AteResult& result) {
+report::Figure ate_figure(const AteResult& result) {
     const Columns columns = columns_of(result.pairs);
     const double path_height_px = path_panel_height_px(columns);
     constexpr double error_height_px = 260.0;
-    Figure figure({.width_px = page_width_px,
-                   .height_px = path_height_px + error_height_px,
-                   .row_shares = {path_height_px, error_height_px}});
+    report::Figure figure({.width_px = page_width_px,
+                           .height_px = path_height_px + error_height_px,
+                           .row_shares = {path_height_px, error_height_px}});
     figure.axes(0)
         .title(summary(result.translation_m))
         .x_label("x [m]")
         .y_label("y [m]")
         .equal_aspect()
         .heat_line(columns.estimate_x_m, columns.estimate_y_m, result.errors_m, "error of the estimate [m]")
-        .line(columns.reference_x_m, columns.reference_y_m, {"reference", black, 0.5});
+        .line(columns.reference_x_m, columns.reference_y_m, {"reference", report::black, 0.5});
     figure.axes(1)
         .x_label("time [s]")
         .y_label("error [m]")
@@ -67,4 +67,4 @@ Figure error_figure(const AteResult& result) {
     return figure;
 }
 
-}  // namespace ddtool::plot
+}  // namespace ddtool

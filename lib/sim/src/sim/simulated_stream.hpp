@@ -16,7 +16,7 @@ public:
 
     std::optional<SensorFrame> next() override;
     [[nodiscard]] double fraction_read() const override;
-    void tell_truth(std::shared_ptr<ScanTruth> truth) override { truth_ = std::move(truth); }
+    void tell_truth(const std::shared_ptr<ScanTruth>& truth) override { truth_ = truth; }
 
     [[nodiscard]] const Simulation& simulation() const { return simulation_; }
 

@@ -11,8 +11,8 @@ constexpr const char* odom_frame = "odom";
 constexpr const char* robot_frame = "base_link";
 constexpr const char* laser_frame = "laser";
 
-ros::Float64MultiArray matrix_message(const Eigen::Matrix3d& matrix) {
-    ros::Float64MultiArray message;
+RosFloat64MultiArray matrix_message(const Eigen::Matrix3d& matrix) {
+    RosFloat64MultiArray message;
     message.dimensions = {{"row", 3, 9}, {"column", 3, 3}};
     for (Eigen::Index row = 0; row < 3; ++row) {
         for (Eigen::Index column = 0; column < 3; ++column) {
@@ -27,18 +27,17 @@ public:
     SimulationLog(const Simulation& simulation, const std::filesystem::path& file)
         : odometry_(simulation.odometry()), writer_(file) {
         const std::int64_t start_ns = simulation.settings().start_ns;
-        writer_.write(
-            "/tf_static", start_ns,
-            ros::transform_message(start_ns, robot_frame, laser_frame, simulation.settings().robot_from_laser));
+        writer_.write("/tf_static", start_ns,
+                      transform_message(start_ns, robot_frame, laser_frame, simulation.settings().robot_from_laser));
     }
 
     void write(const SimulatedFrame& simulated) {
         const SensorFrame& frame = simulated.frame;
         const std::int64_t stamp_ns = frame.scan.stamp_ns;
         write_odometry_until(stamp_ns);
-        writer_.write("/scan", stamp_ns, ros::to_message(frame.scan, laser_frame));
+        writer_.write("/scan", stamp_ns, scan_message(frame.scan, laser_frame));
         writer_.write("/ground_truth", stamp_ns,
-                      ros::odometry_message(stamp_ns, map_frame, robot_frame, *frame.world_from_robot));
+                      odometry_message(stamp_ns, map_frame, robot_frame, *frame.world_from_robot));
         writer_.write("/fisher_information", stamp_ns, matrix_message(simulated.fisher_information));
     }
 
@@ -51,16 +50,16 @@ private:
     void write_odometry_until(std::int64_t stamp_ns) {
         for (; next_ < odometry_.size() && odometry_[next_].stamp_ns <= stamp_ns; ++next_) {
             const StampedPose& stamped = odometry_[next_];
-            writer_.write("/odom", stamped.stamp_ns, odometry_message(next_));
+            writer_.write("/odom", stamped.stamp_ns, odometry_at(next_));
             writer_.write("/tf", stamped.stamp_ns,
-                          ros::transform_message(stamped.stamp_ns, odom_frame, robot_frame, stamped.pose));
+                          transform_message(stamped.stamp_ns, odom_frame, robot_frame, stamped.pose));
         }
     }
 
     /// The velocity in the message is the mean velocity since the previous message.
-    [[nodiscard]] ros::Odometry odometry_message(std::size_t index) const {
+    [[nodiscard]] RosOdometry odometry_at(std::size_t index) const {
         const StampedPose& now = odometry_[index];
-        ros::Odometry message = ros::odometry_message(now.stamp_ns, odom_frame, robot_frame, now.pose);
+        RosOdometry message = odometry_message(now.stamp_ns, odom_frame, robot_frame, now.pose);
         if (index > 0) {
             const StampedPose& before = odometry_[index - 1];
             const Pose2 motion = between(before.pose, now.pose);

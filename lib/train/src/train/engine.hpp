@@ -53,8 +53,8 @@ public:
     /// plain_weights_beside(out) (docs/formats/model.md).
     virtual void export_model(const std::filesystem::path& checkpoint, const std::filesystem::path& out) const = 0;
     /// Loads an exported model or a checkpoint. Throws Error naming the file and what is wrong with it.
-    [[nodiscard]] virtual std::unique_ptr<native::DegreeModel> load(const std::filesystem::path& file,
-                                                                    const RunOptions& options) const = 0;
+    [[nodiscard]] virtual std::unique_ptr<DegreeModel> load(const std::filesystem::path& file,
+                                                            const RunOptions& options) const = 0;
 };
 
 /// Provides the engine; main() sets it. It may start another program in place of this one.

@@ -61,11 +61,11 @@ std::vector<double> over_epochs(const std::vector<EpochRecord>& epochs, Value Ep
 
 void draw_curves(const std::filesystem::path& file, const std::vector<EpochRecord>& epochs) {
     constexpr std::size_t columns = 2;
-    plot::Figure figure({.row_shares = {1.0, 1.0}, .columns = columns});
+    report::Figure figure({.row_shares = {1.0, 1.0}, .columns = columns});
     const std::vector<double> numbers = over_epochs(epochs, &EpochRecord::epoch);
     std::array<std::size_t, groups.size()> drawn{};
     for (const Curve& curve : curves) {
-        const plot::Colour colour = plot::series_colour(drawn[curve.group]++);
+        const report::Colour colour = report::series_colour(drawn[curve.group]++);
         const std::vector<double> values = over_epochs(epochs, curve.value);
         figure.axes(curve.group / columns, curve.group % columns)
             .title(groups[curve.group])

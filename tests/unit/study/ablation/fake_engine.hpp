@@ -12,7 +12,7 @@
 namespace ddtool::ablation::test {
 
 /// Stands in for a network. Its degree for every image is 0.9 if the seed in its settings is 1, and 0.1 otherwise.
-class BrightnessModel : public native::DegreeModel {
+class BrightnessModel : public DegreeModel {
 public:
     explicit BrightnessModel(const train::TrainSettings& settings) {
         description_.network = settings.model;
@@ -22,7 +22,7 @@ public:
         description_.split = settings.split;
         description_.seed = settings.seed;
     }
-    [[nodiscard]] const native::ModelDescription& description() const override { return description_; }
+    [[nodiscard]] const ModelDescription& description() const override { return description_; }
     void run(std::span<const float> images, std::span<double> degrees) override {
         seen.assign(images.begin(), images.end());
         std::fill(degrees.begin(), degrees.end(), description_.seed == 1 ? 0.9 : 0.1);
@@ -33,7 +33,7 @@ public:
     std::size_t runs = 0;
 
 private:
-    native::ModelDescription description_;
+    ModelDescription description_;
 };
 
 /// "Trains" a network by writing down its settings, which is all that BrightnessModel needs.
@@ -54,8 +54,8 @@ public:
     void export_model(const std::filesystem::path& checkpoint, const std::filesystem::path& out) const override {
         std::filesystem::copy_file(checkpoint, out, std::filesystem::copy_options::overwrite_existing);
     }
-    [[nodiscard]] std::unique_ptr<native::DegreeModel> load(const std::filesystem::path& file,
-                                                            const train::RunOptions& options) const override {
+    [[nodiscard]] std::unique_ptr<DegreeModel> load(const std::filesystem::path& file,
+                                                    const train::RunOptions& options) const override {
         if (options.device != "cpu") {
             throw Error("there is no " + options.device);
         }

@@ -11,14 +11,14 @@ namespace ddtool::judge {
 namespace {
 
 /// Stands in for a network. Its degree is the share of marked pixels.
-class BrightnessModel : public native::DegreeModel {
+class BrightnessModel : public DegreeModel {
 public:
     BrightnessModel() {
         description_.network = "brightness";
         description_.image = {.swarm = Swarm::step, .size_px = 64};
         description_.seed = 7;
     }
-    [[nodiscard]] const native::ModelDescription& description() const override { return description_; }
+    [[nodiscard]] const ModelDescription& description() const override { return description_; }
     void run(std::span<const float> images, std::span<double> degrees) override {
         ++batches;
         const std::size_t pixels = images.size() / degrees.size();
@@ -28,7 +28,7 @@ public:
             degrees[image] = std::accumulate(own.begin(), own.end(), 0.0) / static_cast<double>(pixels);
         }
     }
-    native::ModelDescription description_;
+    ModelDescription description_;
     std::size_t batches = 0;
 };
 
@@ -43,7 +43,7 @@ TEST(ModelScorer, ManySwarmsAtOnceAreAsOneByOne) {
     const std::vector<double> together = scorer(views);
     EXPECT_EQ(model->batches, 3U);
     ASSERT_EQ(together.size(), swarms.size());
-    const DegeneracyDetector detector = native::network_detector(model);
+    const DegeneracyDetector detector = network_detector(model);
     for (std::size_t swarm = 0; swarm < swarms.size(); ++swarm) {
         EXPECT_EQ(detector({0, 0, {}, swarms[swarm]}).degree, together[swarm]);
     }

@@ -4,7 +4,7 @@
 
 #include "logs/messages/ros_codec.hpp"
 
-namespace ddtool::ros {
+namespace ddtool {
 namespace {
 
 using eprosima::fastcdr::Cdr;
@@ -37,7 +37,7 @@ private:
         align(sizeof(std::uint32_t));  // the length, which precedes the text
         cdr_.serialize(text);
     }
-    void write(const Time& time) {
+    void write(const RosTime& time) {
         const std::int64_t below = (time.ns % ns_per_s + ns_per_s) % ns_per_s;
         write(static_cast<std::int32_t>((time.ns - below) / ns_per_s));
         write(static_cast<std::uint32_t>(below));
@@ -89,7 +89,7 @@ private:
     void read(auto& message) { message.fields(message, *this); }
     void read(Scalar auto& value) { cdr_.deserialize(value); }
     void read(std::string& text) { cdr_.deserialize(text); }
-    void read(Time& time) {
+    void read(RosTime& time) {
         std::int32_t seconds = 0;
         std::uint32_t nanoseconds = 0;
         cdr_.deserialize(seconds);
@@ -147,17 +147,17 @@ std::optional<Message> decode_cdr(std::span<const std::byte> data) {
 #define DDTOOL_CDR(Message)                                                  \
     template std::vector<std::byte> encode_cdr(const Message&, std::endian); \
     template std::optional<Message> decode_cdr(std::span<const std::byte>);
-DDTOOL_CDR(TFMessage)
-DDTOOL_CDR(LaserScan)
-DDTOOL_CDR(Odometry)
-DDTOOL_CDR(PoseStamped)
-DDTOOL_CDR(PoseArray)
-DDTOOL_CDR(Path)
-DDTOOL_CDR(OccupancyGrid)
-DDTOOL_CDR(ParticleSnapshot)
-DDTOOL_CDR(Float64MultiArray)
-DDTOOL_CDR(PoseWithCovarianceStamped)
-DDTOOL_CDR(Degeneracy)
+DDTOOL_CDR(RosTFMessage)
+DDTOOL_CDR(RosLaserScan)
+DDTOOL_CDR(RosOdometry)
+DDTOOL_CDR(RosPoseStamped)
+DDTOOL_CDR(RosPoseArray)
+DDTOOL_CDR(RosPath)
+DDTOOL_CDR(RosOccupancyGrid)
+DDTOOL_CDR(RosParticleSnapshot)
+DDTOOL_CDR(RosFloat64MultiArray)
+DDTOOL_CDR(RosPoseWithCovarianceStamped)
+DDTOOL_CDR(RosDegeneracy)
 #undef DDTOOL_CDR
 
-}  // namespace ddtool::ros
+}  // namespace ddtool

@@ -7,7 +7,7 @@
 #include "logs/messages/foxglove_scan.hpp"
 #include "logs/messages/ros_conversions.hpp"
 
-namespace ddtool::foxglove {
+namespace ddtool {
 namespace {
 
 using nlohmann::json;
@@ -21,20 +21,20 @@ std::int64_t whole(const json& number) {
 
 std::int64_t stamp(const json& message) {
     const json& time = message.at("timestamp");
-    return stamp_ns(whole(time.at("sec")), whole(time.at("nsec")));
+    return foxglove_stamp_ns(whole(time.at("sec")), whole(time.at("nsec")));
 }
 
-ros::Vector3 vector(const json& v) { return {v.at("x"), v.at("y"), v.at("z")}; }
+RosVector3 vector(const json& v) { return {v.at("x"), v.at("y"), v.at("z")}; }
 
-ros::Quaternion quaternion(const json& q) { return {q.at("x"), q.at("y"), q.at("z"), q.at("w")}; }
+RosQuaternion quaternion(const json& q) { return {q.at("x"), q.at("y"), q.at("z"), q.at("w")}; }
 
 Eigen::Isometry3d json_isometry(const json& pose) {
-    return ros::to_isometry({vector(pose.at("position")), quaternion(pose.at("orientation"))});
+    return to_isometry({vector(pose.at("position")), quaternion(pose.at("orientation"))});
 }
 
 PoseReading transform(const json& message) {
     return {stamp(message), message.at("parent_frame_id"), message.at("child_frame_id"),
-            ros::to_isometry({vector(message.at("translation")), quaternion(message.at("rotation"))})};
+            to_isometry({vector(message.at("translation")), quaternion(message.at("rotation"))})};
 }
 
 std::vector<PoseReading> poses(std::string_view type, const json& message) {
@@ -61,7 +61,7 @@ ScanReading scan(const json& message) {
     for (const json& range : message.at("ranges")) {
         reading.scan.ranges_m.push_back(range.is_null() ? LaserScan::invalid : range.get<float>());
     }
-    set_angles(reading.scan, message.at("start_angle"), message.at("end_angle"));
+    set_foxglove_angles(reading.scan, message.at("start_angle"), message.at("end_angle"));
     return reading;
 }
 
@@ -79,12 +79,12 @@ auto read_json(std::span<const std::byte> data, Read read) -> std::optional<decl
 
 }  // namespace
 
-std::optional<ScanReading> json_scan(std::span<const std::byte> data) {
+std::optional<ScanReading> foxglove_json_scan(std::span<const std::byte> data) {
     return read_json(data, [](const json& message) { return scan(message); });
 }
 
-std::optional<std::vector<PoseReading>> json_poses(std::string_view type, std::span<const std::byte> data) {
+std::optional<std::vector<PoseReading>> foxglove_json_poses(std::string_view type, std::span<const std::byte> data) {
     return read_json(data, [&](const json& message) { return poses(type, message); });
 }
 
-}  // namespace ddtool::foxglove
+}  // namespace ddtool

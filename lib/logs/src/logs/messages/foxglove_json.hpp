@@ -8,14 +8,14 @@
 
 #include "logs/messages/readings.hpp"
 
-namespace ddtool::foxglove {
+namespace ddtool {
 
 /// Decodes foxglove.LaserScan from JSON. Ranges that are null become NaN, since JSON has no NaN. Returns nullopt if the
 /// bytes are not such a message. The message type has no limits of range, so range_min_m and range_max_m are 0.
-std::optional<ScanReading> json_scan(std::span<const std::byte> data);
+std::optional<ScanReading> foxglove_json_scan(std::span<const std::byte> data);
 
 /// Decodes foxglove.PoseInFrame, FrameTransform or FrameTransforms from JSON; `type` names which. Returns nullopt if
 /// the bytes are not such a message.
-std::optional<std::vector<PoseReading>> json_poses(std::string_view type, std::span<const std::byte> data);
+std::optional<std::vector<PoseReading>> foxglove_json_poses(std::string_view type, std::span<const std::byte> data);
 
-}  // namespace ddtool::foxglove
+}  // namespace ddtool

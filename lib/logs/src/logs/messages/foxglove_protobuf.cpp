@@ -6,7 +6,7 @@
 #include "logs/messages/foxglove_scan.hpp"
 #include "logs/messages/ros_conversions.hpp"
 
-namespace ddtool::foxglove {
+namespace ddtool {
 namespace {
 
 template <typename Message>
@@ -19,28 +19,28 @@ std::optional<Message> parse_protobuf(std::span<const std::byte> data) {
     return message;
 }
 
-Eigen::Isometry3d isometry(const wire::Vector3& v, const wire::Quaternion& q) {
-    return ros::to_isometry({{v.x(), v.y(), v.z()}, {q.x(), q.y(), q.z(), q.w()}});
+Eigen::Isometry3d isometry(const FoxgloveVector3& v, const FoxgloveQuaternion& q) {
+    return to_isometry({{v.x(), v.y(), v.z()}, {q.x(), q.y(), q.z(), q.w()}});
 }
 
-PoseReading reading(const wire::FrameTransform& message) {
-    return {stamp_ns(message.timestamp().seconds(), message.timestamp().nanos()), message.parent_frame_id(),
+PoseReading reading(const FoxgloveFrameTransform& message) {
+    return {foxglove_stamp_ns(message.timestamp().seconds(), message.timestamp().nanos()), message.parent_frame_id(),
             message.child_frame_id(), isometry(message.translation(), message.rotation())};
 }
 
-std::vector<PoseReading> foxglove_readings(const wire::FrameTransform& message) { return {reading(message)}; }
+std::vector<PoseReading> foxglove_readings(const FoxgloveFrameTransform& message) { return {reading(message)}; }
 
-std::vector<PoseReading> foxglove_readings(const wire::FrameTransforms& message) {
+std::vector<PoseReading> foxglove_readings(const FoxgloveFrameTransforms& message) {
     std::vector<PoseReading> poses;
-    for (const wire::FrameTransform& transform : message.transforms()) {
+    for (const FoxgloveFrameTransform& transform : message.transforms()) {
         poses.push_back(reading(transform));
     }
     return poses;
 }
 
-std::vector<PoseReading> foxglove_readings(const wire::PoseInFrame& message) {
-    const wire::Pose& pose = message.pose();
-    return {{stamp_ns(message.timestamp().seconds(), message.timestamp().nanos()), message.frame_id(), "",
+std::vector<PoseReading> foxglove_readings(const FoxglovePoseInFrame& message) {
+    const FoxglovePose& pose = message.pose();
+    return {{foxglove_stamp_ns(message.timestamp().seconds(), message.timestamp().nanos()), message.frame_id(), "",
              isometry(pose.position(), pose.orientation())}};
 }
 
@@ -52,26 +52,27 @@ std::optional<std::vector<PoseReading>> decode_foxglove(std::span<const std::byt
 
 }  // namespace
 
-std::optional<ScanReading> protobuf_scan(std::span<const std::byte> data) {
-    const std::optional<wire::LaserScan> message = parse_protobuf<wire::LaserScan>(data);
+std::optional<ScanReading> foxglove_protobuf_scan(std::span<const std::byte> data) {
+    const std::optional<FoxgloveLaserScan> message = parse_protobuf<FoxgloveLaserScan>(data);
     if (!message) {
         return std::nullopt;
     }
     ScanReading scan;
     scan.frame_id = message->frame_id();
     scan.frame_from_scan = isometry(message->pose().position(), message->pose().orientation());
-    scan.scan.stamp_ns = stamp_ns(message->timestamp().seconds(), message->timestamp().nanos());
+    scan.scan.stamp_ns = foxglove_stamp_ns(message->timestamp().seconds(), message->timestamp().nanos());
     scan.scan.ranges_m.assign(message->ranges().begin(), message->ranges().end());
-    set_angles(scan.scan, message->start_angle(), message->end_angle());
+    set_foxglove_angles(scan.scan, message->start_angle(), message->end_angle());
     return scan;
 }
 
-std::optional<std::vector<PoseReading>> protobuf_poses(std::string_view type, std::span<const std::byte> data) {
+std::optional<std::vector<PoseReading>> foxglove_protobuf_poses(std::string_view type,
+                                                                std::span<const std::byte> data) {
     if (type == "foxglove.PoseInFrame") {
-        return decode_foxglove<wire::PoseInFrame>(data);
+        return decode_foxglove<FoxglovePoseInFrame>(data);
     }
-    return type == "foxglove.FrameTransforms" ? decode_foxglove<wire::FrameTransforms>(data)
-                                              : decode_foxglove<wire::FrameTransform>(data);
+    return type == "foxglove.FrameTransforms" ? decode_foxglove<FoxgloveFrameTransforms>(data)
+                                              : decode_foxglove<FoxgloveFrameTransform>(data);
 }
 
-}  // namespace ddtool::foxglove
+}  // namespace ddtool

@@ -8,14 +8,14 @@
 
 #include "logs/messages/readings.hpp"
 
-namespace ddtool::foxglove {
+namespace ddtool {
 
 /// Decodes foxglove.LaserScan from protobuf. Returns nullopt if the bytes are not such a message. The message type has
 /// no limits of range, so range_min_m and range_max_m are 0.
-std::optional<ScanReading> protobuf_scan(std::span<const std::byte> data);
+std::optional<ScanReading> foxglove_protobuf_scan(std::span<const std::byte> data);
 
 /// Decodes foxglove.PoseInFrame, FrameTransform or FrameTransforms from protobuf; `type` names which. Returns nullopt
 /// if the bytes are not such a message.
-std::optional<std::vector<PoseReading>> protobuf_poses(std::string_view type, std::span<const std::byte> data);
+std::optional<std::vector<PoseReading>> foxglove_protobuf_poses(std::string_view type, std::span<const std::byte> data);
 
-}  // namespace ddtool::foxglove
+}  // namespace ddtool

@@ -57,24 +57,24 @@ void tidy_stamp(std::int64_t& stamp_ns, const McapMessage& message) {
 std::optional<ScanReading> decode_raw_scan(const McapMessage& message) {
     const std::string& encoding = message.channel->message_encoding;
     if (encoding == "protobuf") {
-        return foxglove::protobuf_scan(message.data);
+        return foxglove_protobuf_scan(message.data);
     }
     if (encoding == "json") {
-        return foxglove::json_scan(message.data);
+        return foxglove_json_scan(message.data);
     }
-    return ros::decode_scan(encoding, message.data);
+    return decode_ros_scan(encoding, message.data);
 }
 
 std::optional<std::vector<PoseReading>> decode_raw_poses(const McapMessage& message) {
     const std::string& encoding = message.channel->message_encoding;
     const std::string& type = message.channel->schema.name;
     if (encoding == "protobuf") {
-        return foxglove::protobuf_poses(type, message.data);
+        return foxglove_protobuf_poses(type, message.data);
     }
     if (encoding == "json") {
-        return foxglove::json_poses(type, message.data);
+        return foxglove_json_poses(type, message.data);
     }
-    return ros::decode_poses(kind_of(*message.channel), encoding, message.data);
+    return decode_ros_poses(kind_of(*message.channel), encoding, message.data);
 }
 
 }  // namespace
@@ -115,11 +115,11 @@ std::optional<std::vector<PoseReading>> decode_poses(const McapMessage& message)
 
 bool is_information(const McapChannel& channel) {
     return channel.topic == "/fisher_information" && channel.message_encoding == "cdr" &&
-           channel.schema.name == ros::Float64MultiArray::type_name;
+           channel.schema.name == RosFloat64MultiArray::type_name;
 }
 
 std::optional<Eigen::Matrix3d> decode_information(const McapMessage& message) {
-    const auto decoded = ros::decode_cdr<ros::Float64MultiArray>(message.data);
+    const auto decoded = decode_cdr<RosFloat64MultiArray>(message.data);
     if (!decoded || decoded->data.size() != 9) {
         return std::nullopt;
     }

@@ -3,7 +3,7 @@
 
 #include "logs/messages/ros_codec.hpp"
 
-namespace ddtool::ros {
+namespace ddtool {
 namespace {
 
 static_assert(std::endian::native == std::endian::little, "ROS 1 data is copied as it is");
@@ -24,11 +24,11 @@ private:
         text.resize(checked(count(), 1));
         copy(text.data(), text.size());
     }
-    void read(Time& time) {
+    void read(RosTime& time) {
         const std::uint32_t seconds = count();
         time.ns = std::int64_t{1'000'000'000} * seconds + count();
     }
-    void read(Header& header) {
+    void read(RosHeader& header) {
         count();  // the sequence number
         (*this)(header.stamp, header.frame_id);
     }
@@ -78,9 +78,9 @@ std::optional<Message> decode_ros1(std::span<const std::byte> data) {
     }
 }
 
-template std::optional<TFMessage> decode_ros1(std::span<const std::byte>);
-template std::optional<LaserScan> decode_ros1(std::span<const std::byte>);
-template std::optional<Odometry> decode_ros1(std::span<const std::byte>);
-template std::optional<PoseStamped> decode_ros1(std::span<const std::byte>);
+template std::optional<RosTFMessage> decode_ros1(std::span<const std::byte>);
+template std::optional<RosLaserScan> decode_ros1(std::span<const std::byte>);
+template std::optional<RosOdometry> decode_ros1(std::span<const std::byte>);
+template std::optional<RosPoseStamped> decode_ros1(std::span<const std::byte>);
 
-}  // namespace ddtool::ros
+}  // namespace ddtool

@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-namespace ddtool::ros {
+namespace ddtool {
 namespace {
 
 struct Definition {
@@ -93,4 +93,4 @@ std::string ros2_schema(std::string_view type_name) {
     return schema;
 }
 
-}  // namespace ddtool::ros
+}  // namespace ddtool

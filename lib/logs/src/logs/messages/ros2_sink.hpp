@@ -22,7 +22,7 @@ public:
     /// \param stamp_ns the log time of the message
     template <typename Message>
     void write(const std::string& topic, std::int64_t stamp_ns, const Message& message) {
-        put(topic, Message::type_name, stamp_ns, ros::encode_cdr(message));
+        put(topic, Message::type_name, stamp_ns, encode_cdr(message));
     }
 
 protected:

@@ -8,7 +8,7 @@
 
 #include "logs/messages/ros_messages.hpp"
 
-namespace ddtool::ros {
+namespace ddtool {
 
 /// Serialises a message that has a type_name as ROS 2 does: the encapsulation header, then XCDR version 1 (OMG
 /// DDS-XTYPES 1.3, 7.4.1).
@@ -25,4 +25,4 @@ std::optional<Message> decode_cdr(std::span<const std::byte> data);
 template <typename Message>
 std::optional<Message> decode_ros1(std::span<const std::byte> data);
 
-}  // namespace ddtool::ros
+}  // namespace ddtool

@@ -2,9 +2,9 @@
 
 #include <cmath>
 
-namespace ddtool::ros {
+namespace ddtool {
 
-Pose to_pose(const Pose2& pose) {
+RosPose to_ros_pose(const Pose2& pose) {
     const double half_rad = pose.theta_rad / 2.0;
     return {{pose.x_m, pose.y_m, 0.0}, {0.0, 0.0, std::sin(half_rad), std::cos(half_rad)}};
 }
@@ -14,7 +14,7 @@ Pose2 to_pose2(const Eigen::Isometry3d& pose) {
     return {pose.translation().x(), pose.translation().y(), std::atan2(rotation(1, 0), rotation(0, 0))};
 }
 
-Eigen::Isometry3d to_isometry(const Pose& pose) {
+Eigen::Isometry3d to_isometry(const RosPose& pose) {
     const auto& [position, orientation] = pose;
     Eigen::Quaterniond rotation(orientation.w, orientation.x, orientation.y, orientation.z);
     const double length = rotation.norm();
@@ -22,8 +22,8 @@ Eigen::Isometry3d to_isometry(const Pose& pose) {
     return Eigen::Translation3d(position.x, position.y, position.z) * rotation;
 }
 
-LaserScan to_message(const ddtool::LaserScan& scan, const std::string& frame_id) {
-    LaserScan message;
+RosLaserScan scan_message(const LaserScan& scan, const std::string& frame_id) {
+    RosLaserScan message;
     message.header = {{scan.stamp_ns}, frame_id};
     message.angle_min = static_cast<float>(scan.angle_min_rad);
     message.angle_max = static_cast<float>(scan.angle_rad(scan.ranges_m.empty() ? 0 : scan.ranges_m.size() - 1));
@@ -35,22 +35,22 @@ LaserScan to_message(const ddtool::LaserScan& scan, const std::string& frame_id)
     return message;
 }
 
-Odometry odometry_message(std::int64_t stamp_ns, const std::string& frame_id, const std::string& child_frame_id,
-                          const Pose2& frame_from_child) {
-    Odometry message;
+RosOdometry odometry_message(std::int64_t stamp_ns, const std::string& frame_id, const std::string& child_frame_id,
+                             const Pose2& frame_from_child) {
+    RosOdometry message;
     message.header = {{stamp_ns}, frame_id};
     message.child_frame_id = child_frame_id;
-    message.pose = to_pose(frame_from_child);
+    message.pose = to_ros_pose(frame_from_child);
     return message;
 }
 
-PoseStamped pose_message(std::int64_t stamp_ns, const std::string& frame_id, const Pose2& pose) {
-    return {{{stamp_ns}, frame_id}, to_pose(pose)};
+RosPoseStamped pose_message(std::int64_t stamp_ns, const std::string& frame_id, const Pose2& pose) {
+    return {{{stamp_ns}, frame_id}, to_ros_pose(pose)};
 }
 
-TFMessage transform_message(std::int64_t stamp_ns, const std::string& frame_id, const std::string& child_frame_id,
-                            const Pose2& frame_from_child) {
-    return {{{{{stamp_ns}, frame_id}, child_frame_id, to_pose(frame_from_child)}}};
+RosTFMessage transform_message(std::int64_t stamp_ns, const std::string& frame_id, const std::string& child_frame_id,
+                               const Pose2& frame_from_child) {
+    return {{{{{stamp_ns}, frame_id}, child_frame_id, to_ros_pose(frame_from_child)}}};
 }
 
-}  // namespace ddtool::ros
+}  // namespace ddtool

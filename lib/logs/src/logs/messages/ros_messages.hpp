@@ -5,26 +5,26 @@
 #include <string>
 #include <vector>
 
-/// The ROS messages that are read and written, as plain structs named and laid out as their definitions say
-/// (https://docs.ros.org, common_interfaces). Each lists its fields once, in the order of its definition, for all
+/// The ROS messages that are read and written, as plain structs named, after "Ros", and laid out as their definitions
+/// say (https://docs.ros.org, common_interfaces). Each lists its fields once, in the order of its definition, for all
 /// codecs: fields(message, archive) calls archive(field, ...). Lengths are metres, angles radians.
-namespace ddtool::ros {
+namespace ddtool {
 
 /// Serialised as seconds and nanoseconds.
-struct Time {
+struct RosTime {
     std::int64_t ns = 0;
 };
 
-struct Header {
+struct RosHeader {
     static constexpr const char* type_name = "std_msgs/msg/Header";
-    Time stamp;
+    RosTime stamp;
     std::string frame_id;
 
     static void fields(auto& message, auto& archive) { archive(message.stamp, message.frame_id); }
 };
 
 /// geometry_msgs Point too, which has the same fields.
-struct Vector3 {
+struct RosVector3 {
     double x = 0.0;
     double y = 0.0;
     double z = 0.0;
@@ -32,7 +32,7 @@ struct Vector3 {
     static void fields(auto& message, auto& archive) { archive(message.x, message.y, message.z); }
 };
 
-struct Quaternion {
+struct RosQuaternion {
     double x = 0.0;
     double y = 0.0;
     double z = 0.0;
@@ -42,33 +42,33 @@ struct Quaternion {
 };
 
 /// geometry_msgs Transform too, which has the same fields: translation and rotation.
-struct Pose {
-    Vector3 position;
-    Quaternion orientation;
+struct RosPose {
+    RosVector3 position;
+    RosQuaternion orientation;
 
     static void fields(auto& message, auto& archive) { archive(message.position, message.orientation); }
 };
 
-struct TransformStamped {
-    Header header;
+struct RosTransformStamped {
+    RosHeader header;
     std::string child_frame_id;
-    Pose transform;  ///< header.frame_id from child_frame_id
+    RosPose transform;  ///< header.frame_id from child_frame_id
 
     static void fields(auto& message, auto& archive) {
         archive(message.header, message.child_frame_id, message.transform);
     }
 };
 
-struct TFMessage {
+struct RosTFMessage {
     static constexpr const char* type_name = "tf2_msgs/msg/TFMessage";
-    std::vector<TransformStamped> transforms;
+    std::vector<RosTransformStamped> transforms;
 
     static void fields(auto& message, auto& archive) { archive(message.transforms); }
 };
 
-struct LaserScan {
+struct RosLaserScan {
     static constexpr const char* type_name = "sensor_msgs/msg/LaserScan";
-    Header header;  ///< stamp of the first ray
+    RosHeader header;  ///< stamp of the first ray
     float angle_min = 0.0F;
     float angle_max = 0.0F;
     float angle_increment = 0.0F;
@@ -85,14 +85,14 @@ struct LaserScan {
     }
 };
 
-struct Odometry {
+struct RosOdometry {
     static constexpr const char* type_name = "nav_msgs/msg/Odometry";
-    Header header;
+    RosHeader header;
     std::string child_frame_id;
-    Pose pose;  ///< header.frame_id from child_frame_id
+    RosPose pose;  ///< header.frame_id from child_frame_id
     std::array<double, 36> pose_covariance{};
-    Vector3 linear_velocity;   ///< m/s, in the child frame
-    Vector3 angular_velocity;  ///< rad/s, in the child frame
+    RosVector3 linear_velocity;   ///< m/s, in the child frame
+    RosVector3 angular_velocity;  ///< rad/s, in the child frame
     std::array<double, 36> velocity_covariance{};
 
     static void fields(auto& message, auto& archive) {
@@ -101,40 +101,40 @@ struct Odometry {
     }
 };
 
-struct PoseStamped {
+struct RosPoseStamped {
     static constexpr const char* type_name = "geometry_msgs/msg/PoseStamped";
-    Header header;
-    Pose pose;
+    RosHeader header;
+    RosPose pose;
 
     static void fields(auto& message, auto& archive) { archive(message.header, message.pose); }
 };
 
-struct PoseWithCovarianceStamped {
+struct RosPoseWithCovarianceStamped {
     static constexpr const char* type_name = "geometry_msgs/msg/PoseWithCovarianceStamped";
-    Header header;
-    Pose pose;
+    RosHeader header;
+    RosPose pose;
     std::array<double, 36> covariance{};  ///< row by row: x, y, z, and turns about these axes
 
     static void fields(auto& message, auto& archive) { archive(message.header, message.pose, message.covariance); }
 };
 
-struct PoseArray {
+struct RosPoseArray {
     static constexpr const char* type_name = "geometry_msgs/msg/PoseArray";
-    Header header;
-    std::vector<Pose> poses;
+    RosHeader header;
+    std::vector<RosPose> poses;
 
     static void fields(auto& message, auto& archive) { archive(message.header, message.poses); }
 };
 
-struct Path {
+struct RosPath {
     static constexpr const char* type_name = "nav_msgs/msg/Path";
-    Header header;
-    std::vector<PoseStamped> poses;
+    RosHeader header;
+    std::vector<RosPoseStamped> poses;
 
     static void fields(auto& message, auto& archive) { archive(message.header, message.poses); }
 };
 
-struct MultiArrayDimension {
+struct RosMultiArrayDimension {
     std::string label;
     std::uint32_t size = 0;
     std::uint32_t stride = 0;  ///< number of elements in this dimension and all inner ones
@@ -142,23 +142,23 @@ struct MultiArrayDimension {
     static void fields(auto& message, auto& archive) { archive(message.label, message.size, message.stride); }
 };
 
-struct Float64MultiArray {
+struct RosFloat64MultiArray {
     static constexpr const char* type_name = "std_msgs/msg/Float64MultiArray";
-    std::vector<MultiArrayDimension> dimensions;  ///< outermost first
+    std::vector<RosMultiArrayDimension> dimensions;  ///< outermost first
     std::uint32_t data_offset = 0;
     std::vector<double> data;
 
     static void fields(auto& message, auto& archive) { archive(message.dimensions, message.data_offset, message.data); }
 };
 
-struct OccupancyGrid {
+struct RosOccupancyGrid {
     static constexpr const char* type_name = "nav_msgs/msg/OccupancyGrid";
-    Header header;
-    Time map_load_time;
+    RosHeader header;
+    RosTime map_load_time;
     float resolution = 0.0F;  ///< metres per cell
     std::uint32_t width = 0;
     std::uint32_t height = 0;
-    Pose origin;                    ///< of the lower left corner of cell (0, 0)
+    RosPose origin;                 ///< of the lower left corner of cell (0, 0)
     std::vector<std::int8_t> data;  ///< row by row from the origin: 0 free to 100 occupied, -1 unknown
 
     static void fields(auto& message, auto& archive) {
@@ -167,7 +167,7 @@ struct OccupancyGrid {
     }
 };
 
-struct Pose2D {
+struct RosPose2D {
     double x = 0.0;
     double y = 0.0;
     double theta = 0.0;
@@ -175,11 +175,11 @@ struct Pose2D {
     static void fields(auto& message, auto& archive) { archive(message.x, message.y, message.theta); }
 };
 
-/// Message types of ddtool, like ParticleSnapshot below: docs/formats/snapshots.md.
-struct SnapshotParticle {
-    Pose2D pose;
-    Pose2D matched_motion;
-    Pose2D predicted_motion;
+/// Message types of ddtool, like RosParticleSnapshot below: docs/formats/snapshots.md.
+struct RosSnapshotParticle {
+    RosPose2D pose;
+    RosPose2D matched_motion;
+    RosPose2D predicted_motion;
     double log_likelihood = 0.0;
     double log_likelihood_increment = 0.0;
     double match_score = 0.0;
@@ -191,13 +191,13 @@ struct SnapshotParticle {
     }
 };
 
-struct ParticleSnapshot {
+struct RosParticleSnapshot {
     static constexpr const char* type_name = "ddtool_msgs/msg/ParticleSnapshot";
-    Time stamp;
+    RosTime stamp;
     std::uint64_t update = 0;
-    Pose2D odometry_motion;
+    RosPose2D odometry_motion;
     double degeneracy = 0.0;
-    std::vector<SnapshotParticle> particles;
+    std::vector<RosSnapshotParticle> particles;
 
     static void fields(auto& message, auto& archive) {
         archive(message.stamp, message.update, message.odometry_motion, message.degeneracy, message.particles);
@@ -205,9 +205,9 @@ struct ParticleSnapshot {
 };
 
 /// A message type of ddtool: docs/formats/results.md.
-struct Degeneracy {
+struct RosDegeneracy {
     static constexpr const char* type_name = "ddtool_msgs/msg/Degeneracy";
-    Time stamp;
+    RosTime stamp;
     double degree = 0.0;
     double dispersion = 0.0;
     double major_variance = 0.0;
@@ -222,4 +222,4 @@ struct Degeneracy {
     }
 };
 
-}  // namespace ddtool::ros
+}  // namespace ddtool

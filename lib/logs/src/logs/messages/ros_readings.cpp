@@ -3,7 +3,7 @@
 #include "logs/messages/ros_codec.hpp"
 #include "logs/messages/ros_conversions.hpp"
 
-namespace ddtool::ros {
+namespace ddtool {
 namespace {
 
 using Poses = std::vector<PoseReading>;
@@ -13,18 +13,18 @@ std::optional<Message> decode_ros(std::string_view encoding, std::span<const std
     return encoding == "ros1" ? decode_ros1<Message>(data) : decode_cdr<Message>(data);
 }
 
-Poses ros_readings(const Odometry& message) {
+Poses ros_readings(const RosOdometry& message) {
     const auto& [stamp, frame_id] = message.header;
     return {{stamp.ns, frame_id, message.child_frame_id, to_isometry(message.pose)}};
 }
 
-Poses ros_readings(const PoseStamped& message) {
+Poses ros_readings(const RosPoseStamped& message) {
     return {{message.header.stamp.ns, message.header.frame_id, "", to_isometry(message.pose)}};
 }
 
-Poses ros_readings(const TFMessage& message) {
+Poses ros_readings(const RosTFMessage& message) {
     Poses poses;
-    for (const TransformStamped& transform : message.transforms) {
+    for (const RosTransformStamped& transform : message.transforms) {
         const auto& [stamp, frame_id] = transform.header;
         poses.push_back({stamp.ns, frame_id, transform.child_frame_id, to_isometry(transform.transform)});
     }
@@ -39,14 +39,14 @@ std::optional<Poses> decode_readings(std::string_view encoding, std::span<const 
 
 }  // namespace
 
-std::optional<ScanReading> decode_scan(std::string_view encoding, std::span<const std::byte> data) {
-    std::optional<LaserScan> message = decode_ros<LaserScan>(encoding, data);
+std::optional<ScanReading> decode_ros_scan(std::string_view encoding, std::span<const std::byte> data) {
+    std::optional<RosLaserScan> message = decode_ros<RosLaserScan>(encoding, data);
     if (!message) {
         return std::nullopt;
     }
     ScanReading reading;
     reading.frame_id = message->header.frame_id;
-    ddtool::LaserScan& scan = reading.scan;
+    LaserScan& scan = reading.scan;
     scan.stamp_ns = message->header.stamp.ns;
     scan.angle_min_rad = static_cast<double>(message->angle_min);
     scan.angle_increment_rad = static_cast<double>(message->angle_increment);
@@ -57,15 +57,15 @@ std::optional<ScanReading> decode_scan(std::string_view encoding, std::span<cons
     return reading;
 }
 
-std::optional<Poses> decode_poses(MessageKind kind, std::string_view encoding, std::span<const std::byte> data) {
+std::optional<Poses> decode_ros_poses(MessageKind kind, std::string_view encoding, std::span<const std::byte> data) {
     switch (kind) {
         case MessageKind::odometry:
-            return decode_readings<Odometry>(encoding, data);
+            return decode_readings<RosOdometry>(encoding, data);
         case MessageKind::pose:
-            return decode_readings<PoseStamped>(encoding, data);
+            return decode_readings<RosPoseStamped>(encoding, data);
         default:
-            return decode_readings<TFMessage>(encoding, data);
+            return decode_readings<RosTFMessage>(encoding, data);
     }
 }
 
-}  // namespace ddtool::ros
+}  // namespace ddtool

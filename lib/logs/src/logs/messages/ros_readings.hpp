@@ -8,15 +8,15 @@
 
 #include "logs/messages/message_decoder.hpp"
 
-namespace ddtool::ros {
+namespace ddtool {
 
 /// Decodes sensor_msgs LaserScan from the encoding "cdr" or "ros1". Returns nullopt if the bytes are not such a
 /// message.
-std::optional<ScanReading> decode_scan(std::string_view encoding, std::span<const std::byte> data);
+std::optional<ScanReading> decode_ros_scan(std::string_view encoding, std::span<const std::byte> data);
 
 /// Decodes nav_msgs Odometry, geometry_msgs PoseStamped or tf2_msgs TFMessage; `kind` says which. Returns nullopt if
 /// the bytes are not such a message.
-std::optional<std::vector<PoseReading>> decode_poses(MessageKind kind, std::string_view encoding,
-                                                     std::span<const std::byte> data);
+std::optional<std::vector<PoseReading>> decode_ros_poses(MessageKind kind, std::string_view encoding,
+                                                         std::span<const std::byte> data);
 
-}  // namespace ddtool::ros
+}  // namespace ddtool

@@ -60,7 +60,7 @@ std::optional<std::string> place_scan(ScanReading reading, const Eigen::Isometry
     }
     complete_limits(scan);
     normalise_ranges(scan);
-    frame.robot_from_laser = ros::to_pose2(robot_from_scan);
+    frame.robot_from_laser = to_pose2(robot_from_scan);
     frame.scan = std::move(scan);
     return std::nullopt;
 }

@@ -107,7 +107,7 @@ void MessageLogStream::take_odometry(const McapMessage& message) {
     for (const PoseReading& reading : *readings) {
         if (is_odometry(reading)) {
             ++summary_.odometry;
-            odometry_.add({reading.stamp_ns, ros::to_pose2(reading.frame_from_child)});
+            odometry_.add({reading.stamp_ns, to_pose2(reading.frame_from_child)});
             for (WaitingScan& scan : waiting_) {
                 scan.has_odometry = scan.has_odometry || scan.frame.scan.stamp_ns <= reading.stamp_ns;
             }
@@ -123,7 +123,7 @@ void MessageLogStream::take_ground_truth(const McapMessage& message) {
     }
     for (const PoseReading& reading : *readings) {
         ++summary_.ground_truth;
-        ground_truth_.add({reading.stamp_ns, ros::to_pose2(reading.frame_from_child)});
+        ground_truth_.add({reading.stamp_ns, to_pose2(reading.frame_from_child)});
         for (WaitingScan& scan : waiting_) {
             scan.has_ground_truth = scan.has_ground_truth || scan.frame.scan.stamp_ns <= reading.stamp_ns;
         }

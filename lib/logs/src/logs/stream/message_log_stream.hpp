@@ -41,7 +41,7 @@ public:
 
     std::optional<SensorFrame> next() override;
     [[nodiscard]] double fraction_read() const override { return source_->fraction_read(); }
-    void tell_truth(std::shared_ptr<ScanTruth> truth) override { truth_ = std::move(truth); }
+    void tell_truth(const std::shared_ptr<ScanTruth>& truth) override { truth_ = truth; }
 
 private:
     struct WaitingScan {

@@ -34,7 +34,7 @@ std::uint16_t Ros2Writer::channel(const std::string& topic, const char* type_nam
         return known->second;
     }
     const bool keeps_last = topic == "/tf_static" || topic == "/map";
-    const std::uint16_t id = file_.add_channel(topic, "cdr", type_name, "ros2msg", ros::ros2_schema(type_name),
+    const std::uint16_t id = file_.add_channel(topic, "cdr", type_name, "ros2msg", ros2_schema(type_name),
                                                {{"offered_qos_profiles", offered_qos(keeps_last)}});
     return channels_.emplace(topic, id).first->second;
 }

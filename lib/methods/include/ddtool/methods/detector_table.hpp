@@ -32,7 +32,7 @@ public:
     using FileMaker = std::function<DegeneracyDetector(const std::string& file)>;
 
     /// Has the detectors that need no LibTorch: none, always, covariance, step-spread, neff, oracle,
-    /// native::shipped_model_name, and files that end with ".safetensors".
+    /// shipped_model_name, and files that end with ".safetensors".
     DetectorTable();
     /// Gives the detectors made from now on the place where the true values of their scans will be
     /// (SensorStream::tell_truth()). The detector "oracle" needs it.

@@ -20,7 +20,7 @@ public:
     }
     std::optional<SensorFrame> next() override { return from_scans_ ? from_scans_->next() : log_->next(); }
     [[nodiscard]] double fraction_read() const override { return log_->fraction_read(); }
-    void tell_truth(std::shared_ptr<ScanTruth> truth) override { log_->tell_truth(std::move(truth)); }
+    void tell_truth(const std::shared_ptr<ScanTruth>& truth) override { log_->tell_truth(truth); }
     [[nodiscard]] const LogSummary& summary() const { return log_->summary(); }
 
 private:

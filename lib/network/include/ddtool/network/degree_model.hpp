@@ -4,7 +4,7 @@
 
 #include "ddtool/network/model_description.hpp"
 
-namespace ddtool::native {
+namespace ddtool {
 
 /// A trained network, ready to run. An object may be used by one thread at a time.
 class DegreeModel {
@@ -16,4 +16,4 @@ public:
     virtual void run(std::span<const float> images, std::span<double> degrees) = 0;
 };
 
-}  // namespace ddtool::native
+}  // namespace ddtool

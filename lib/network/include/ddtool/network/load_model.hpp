@@ -7,7 +7,7 @@
 
 #include "ddtool/network/degree_model.hpp"
 
-namespace ddtool::native {
+namespace ddtool {
 
 /// Loads a network of the DD-Model's kind from its plain weights (docs/formats/model.md). It runs on one core without
 /// LibTorch, and its logits are the same, byte for byte, on every processor. Throws Error naming the file, and the
@@ -17,4 +17,4 @@ std::unique_ptr<DegreeModel> load_model(const std::filesystem::path& path);
 /// The same for a file's content; `name` is used in error messages.
 std::unique_ptr<DegreeModel> load_model(std::string_view bytes, const std::string& name);
 
-}  // namespace ddtool::native
+}  // namespace ddtool

@@ -7,7 +7,7 @@
 #include "ddtool/network/image_settings.hpp"
 #include "ddtool/system/json_struct.hpp"
 
-namespace ddtool::native {
+namespace ddtool {
 
 /// What must be known to use a trained network, and its origin. It is stored as JSON inside checkpoints and exported
 /// models.
@@ -26,9 +26,9 @@ DDTOOL_JSON_STRUCT(ModelDescription, network, loss, image, label, split, dataset
 
 /// Reads the description from its JSON text. Throws Error naming the file if the text is not such JSON or has values
 /// that no network can have.
-ModelDescription parse_description(const std::string& text, const std::string& file);
+ModelDescription parse_model_description(const std::string& text, const std::string& file);
 
 /// Index of the class "degenerate" among the two outputs of the network.
 inline constexpr std::size_t degenerate_output = 1;
 
-}  // namespace ddtool::native
+}  // namespace ddtool

@@ -5,7 +5,7 @@
 
 #include "ddtool/network/degree_model.hpp"
 
-namespace ddtool::native {
+namespace ddtool {
 
 /// The name of the network that is embedded in every program of the project (data/models/ddmodel-lite.safetensors), so
 /// that the filter needs no separate model file.
@@ -17,4 +17,4 @@ std::unique_ptr<DegreeModel> shipped_model();
 /// Fingerprint of its bytes.
 std::string shipped_model_fingerprint();
 
-}  // namespace ddtool::native
+}  // namespace ddtool

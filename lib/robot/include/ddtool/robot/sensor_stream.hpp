@@ -33,7 +33,7 @@ public:
     [[nodiscard]] virtual double fraction_read() const = 0;
     /// From now on what the source knows of a scan that no robot knows is written into `truth` before its frame is
     /// given out. A source that knows no more than a robot, as most do, leaves it empty.
-    virtual void tell_truth(std::shared_ptr<ScanTruth> /*truth*/) {}
+    virtual void tell_truth(const std::shared_ptr<ScanTruth>& /*truth*/) {}
 };
 
 }  // namespace ddtool

@@ -52,7 +52,7 @@ void make_image(ParticleRenderer& renderer, judge::Particles swarm, const Scratc
 
 }  // namespace
 
-double inference_time_ms(native::DegreeModel& model, std::span<const judge::Particles> swarms, bool through_file) {
+double inference_time_ms(DegreeModel& model, std::span<const judge::Particles> swarms, bool through_file) {
     ParticleRenderer renderer(model.description().image);
     const ScratchFile file;
     std::vector<float> pixels(renderer.settings().size_px * renderer.settings().size_px);

@@ -47,8 +47,8 @@ private:
     std::optional<Pose2> last_;
 };
 
-plot::Range x_of(const MapRaster& map) { return {map.origin_m.x_m, map.origin_m.x_m + map.width_m()}; }
-plot::Range y_of(const MapRaster& map) { return {map.origin_m.y_m, map.origin_m.y_m + map.height_m()}; }
+report::Range x_of(const MapRaster& map) { return {map.origin_m.x_m, map.origin_m.x_m + map.width_m()}; }
+report::Range y_of(const MapRaster& map) { return {map.origin_m.y_m, map.origin_m.y_m + map.height_m()}; }
 
 struct NamedMap {
     std::string title;
@@ -88,7 +88,7 @@ void draw_maps(const std::filesystem::path& file, const ShownRun& run) {
         extent.y.include(y_of(map.raster).low);
         extent.y.include(y_of(map.raster).high);
     }
-    write_side_by_side(file, extent, maps.size(), [&](plot::Axes& axes, std::size_t panel) {
+    write_side_by_side(file, extent, maps.size(), [&](report::Axes& axes, std::size_t panel) {
         const MapRaster& map = maps[panel].raster;
         const std::vector<std::uint8_t> pixels = map_pixels(map);
         const std::array<std::uint8_t, 1> unknown_pixel{map_grey(MapRaster::unknown)};

@@ -98,9 +98,9 @@ std::string markdown(const std::vector<Section>& sections, const std::string& pr
     return text + "\n" + programs + "\n";
 }
 
-html::Page page(const std::filesystem::path& folder, const std::vector<Section>& sections,
-                const std::string& programs) {
-    html::Page page("ddtool compare", html::name_of(folder));
+report::Page page(const std::filesystem::path& folder, const std::vector<Section>& sections,
+                  const std::string& programs) {
+    report::Page page("ddtool compare", report::folder_name(folder));
     for (const Section& section : sections) {
         page.section(section.heading);
         for (const Table& table : section.tables) {
@@ -109,9 +109,9 @@ html::Page page(const std::filesystem::path& folder, const std::vector<Section>&
         for (const std::string& note : section.notes) {
             page.text(note);
         }
-        std::vector<html::Picture> pictures;
+        std::vector<report::Picture> pictures;
         for (const Picture& picture : section.pictures) {
-            pictures.push_back(html::picture_of_file(picture.title, folder / picture.file));
+            pictures.push_back(report::picture_of_file(picture.title, folder / picture.file));
         }
         page.pictures(pictures);
     }
@@ -138,7 +138,7 @@ bool write_report(const std::filesystem::path& folder, const Experiment& experim
     write_file(folder / "results.md", markdown(sections, computed_by));
     write_file(folder / "results.csv", full_table(experiment, summaries_of(experiment, cells, results)).csv());
     write_file(folder / "results.json", results_json(experiment, cells, results).dump(2) + "\n");
-    return html::write_page(folder / "report.html", [&] { return page(folder, sections, computed_by); });
+    return report::write_page(folder / "report.html", [&] { return page(folder, sections, computed_by); });
 }
 
 }  // namespace ddtool::compare

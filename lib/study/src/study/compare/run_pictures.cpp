@@ -23,7 +23,7 @@ void include(Extent& extent, const Trajectory& trajectory) {
     }
 }
 
-void widen(plot::Range& range, double by) {
+void widen(report::Range& range, double by) {
     range.low -= by;
     range.high += by;
 }
@@ -72,18 +72,18 @@ Extent extent_of(const ShownRun& run) {
 }
 
 void write_side_by_side(const std::filesystem::path& file, const Extent& extent, std::size_t panels,
-                        const std::function<void(plot::Axes& axes, std::size_t panel)>& draw) {
+                        const std::function<void(report::Axes& axes, std::size_t panel)>& draw) {
     const std::size_t columns = columns_for(extent, panels);
     const std::size_t rows = (panels + columns - 1) / columns;
     const double inner_width_px = page_width_px / static_cast<double>(columns) - margins_px;
     const double inner_height_px =
         std::clamp(inner_width_px * extent.y.length() / std::max(extent.x.length(), 1e-9), 90.0, 900.0);
-    plot::Figure figure({.width_px = page_width_px,
-                         .height_px = static_cast<double>(rows) * (inner_height_px + margins_px),
-                         .row_shares = std::vector<double>(rows, 1.0),
-                         .columns = columns});
+    report::Figure figure({.width_px = page_width_px,
+                           .height_px = static_cast<double>(rows) * (inner_height_px + margins_px),
+                           .row_shares = std::vector<double>(rows, 1.0),
+                           .columns = columns});
     for (std::size_t panel = 0; panel < panels; ++panel) {
-        plot::Axes& axes = figure.axes(panel / columns, panel % columns);
+        report::Axes& axes = figure.axes(panel / columns, panel % columns);
         axes.x_label("x [m]").y_label("y [m]").equal_aspect();
         axes.x_range(extent.x.low, extent.x.high).y_range(extent.y.low, extent.y.high);
         draw(axes, panel);
@@ -93,24 +93,24 @@ void write_side_by_side(const std::filesystem::path& file, const Extent& extent,
 
 void draw_trajectories(const std::filesystem::path& file, const ShownRun& run) {
     const Line truth = line_of(run.truth);
-    write_side_by_side(file, extent_of(run), run.estimates.size(), [&](plot::Axes& axes, std::size_t panel) {
+    write_side_by_side(file, extent_of(run), run.estimates.size(), [&](report::Axes& axes, std::size_t panel) {
         const ShownEstimate& estimate = run.estimates[panel];
         const Line line = line_of(estimate.trajectory);
         axes.title(estimate.title());
-        axes.line(truth.x_m, truth.y_m, {"", plot::grey, 3.0});
-        axes.line(line.x_m, line.y_m, {"", plot::series_colour(estimate.colour), 1.2});
+        axes.line(truth.x_m, truth.y_m, {"", report::grey, 3.0});
+        axes.line(line.x_m, line.y_m, {"", report::series_colour(estimate.colour), 1.2});
     });
 }
 
 void draw_errors(const std::filesystem::path& file, const ShownRun& run) {
-    plot::Figure figure({.width_px = 1200.0, .height_px = 800.0, .row_shares = {1.1, 1.0, 1.0}});
+    report::Figure figure({.width_px = 1200.0, .height_px = 800.0, .row_shares = {1.1, 1.0, 1.0}});
     const std::array<std::string, 3> labels{"|error in x| [m]", "|error in y| [m]", "distance [m]"};
     for (std::size_t row = 0; row < labels.size(); ++row) {
         figure.axes(row).y_label(labels[row]);
         for (const ShownEstimate& estimate : run.estimates) {
             const ErrorCurves curves = error_curves(*estimate.errors);
             figure.axes(row).line(curves.time_s, curves.errors_m[row],
-                                  {row == 0 ? estimate.contestant : "", plot::series_colour(estimate.colour)});
+                                  {row == 0 ? estimate.contestant : "", report::series_colour(estimate.colour)});
         }
     }
     figure.axes(0).title(run.world + ", seed " + std::to_string(run.seed));

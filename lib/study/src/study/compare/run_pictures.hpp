@@ -11,8 +11,8 @@ namespace ddtool::compare {
 
 /// The area that a figure shows, in metres.
 struct Extent {
-    plot::Range x;
-    plot::Range y;
+    report::Range x;
+    report::Range y;
 };
 
 /// The extent of all trajectories of the run, with a margin.
@@ -21,7 +21,7 @@ Extent extent_of(const ShownRun& run);
 /// Writes a figure of `panels` axes with the same extent and scale: side by side, or one below the other if the extent
 /// is much wider than high (a corridor). `draw` fills each of them.
 void write_side_by_side(const std::filesystem::path& file, const Extent& extent, std::size_t panels,
-                        const std::function<void(plot::Axes& axes, std::size_t panel)>& draw);
+                        const std::function<void(report::Axes& axes, std::size_t panel)>& draw);
 
 /// Draws every estimate over the true trajectory, side by side.
 void draw_trajectories(const std::filesystem::path& file, const ShownRun& run);

@@ -22,14 +22,14 @@ constexpr std::array<PictureFile, 4> figures{{
 constexpr PictureFile mistakes{"mistakes.png", "Worst mistakes",
                                "as the detector sees them: left what it missed, right its false alarms"};
 
-html::Picture read(const std::filesystem::path& folder, const PictureFile& about) {
-    html::Picture picture = html::picture_of_file(about.title, folder / about.file);
+report::Picture read(const std::filesystem::path& folder, const PictureFile& about) {
+    report::Picture picture = report::picture_of_file(about.title, folder / about.file);
     picture.caption = about.caption;
     return picture;
 }
 
-void add_pictures(html::Page& page, const std::filesystem::path& folder) {
-    std::vector<html::Picture> pictures;
+void add_pictures(report::Page& page, const std::filesystem::path& folder) {
+    std::vector<report::Picture> pictures;
     for (const PictureFile& about : figures) {
         pictures.push_back(read(folder, about));
     }
@@ -39,7 +39,7 @@ void add_pictures(html::Page& page, const std::filesystem::path& folder) {
 
 }  // namespace
 
-void add_evaluations(html::Page& page, const std::filesystem::path& folder, const dataset::Dataset& data,
+void add_evaluations(report::Page& page, const std::filesystem::path& folder, const dataset::Dataset& data,
                      std::span<const Evaluation> evaluations, const Task& task) {
     for (const NamedTable& table : evaluation_tables(data, evaluations, task)) {
         page.section(table.name).table(table.table);

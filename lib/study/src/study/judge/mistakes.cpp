@@ -68,12 +68,12 @@ void draw_mistakes(const std::filesystem::path& file, const dataset::Dataset& da
             }
         }
     }
-    std::vector<plot::MontageRow> rows;
+    std::vector<report::MontageRow> rows;
     rows.reserve(families.size());
     for (const auto& [name, family] : families) {
         rows.push_back({caption_of(name, family), {family.worst[0], family.worst[1]}});
     }
-    write_png(file, pixels_of(plot::montage({"missed: degenerate", "false alarms: not degenerate"}, rows, tile_px)));
+    write_png(file, pixels_of(report::montage({"missed: degenerate", "false alarms: not degenerate"}, rows, tile_px)));
 }
 
 }  // namespace ddtool::judge

@@ -11,7 +11,7 @@ namespace {
 /// The network, the renderer of its input, and the memory of one batch of images.
 class ModelScorer {
 public:
-    explicit ModelScorer(std::shared_ptr<native::DegreeModel> model)
+    explicit ModelScorer(std::shared_ptr<DegreeModel> model)
         : model_(std::move(model)), renderer_(model_->description().image) {}
 
     std::vector<double> operator()(std::span<const Particles> swarms) {
@@ -36,13 +36,13 @@ private:
         model_->run(std::span(images_).first(swarms.size() * pixels), degrees);
     }
 
-    std::shared_ptr<native::DegreeModel> model_;
+    std::shared_ptr<DegreeModel> model_;
     ParticleRenderer renderer_;
     std::vector<float> images_;
 };
 
 /// The network's name, for example "ddmodel", followed by every setting that differs from the usual one.
-std::string name_of(const native::ModelDescription& description) {
+std::string name_of(const ModelDescription& description) {
     std::string name = description.network;
     name += description.loss == "bce" ? ", bce" : "";
     name += description.image.linear_mapping ? "" : ", no mapping";
@@ -50,7 +50,7 @@ std::string name_of(const native::ModelDescription& description) {
     return name;
 }
 
-std::string family_of(native::ModelDescription description) {
+std::string family_of(ModelDescription description) {
     description.seed = 0;
     description.metrics = Json();
     description.temperature = 1.0;
@@ -59,13 +59,13 @@ std::string family_of(native::ModelDescription description) {
 
 }  // namespace
 
-SwarmScorer scorer_of(std::shared_ptr<native::DegreeModel> model) {
+SwarmScorer scorer_of(std::shared_ptr<DegreeModel> model) {
     const auto scorer = std::make_shared<ModelScorer>(std::move(model));
     return [scorer](std::span<const Particles> swarms) { return (*scorer)(swarms); };
 }
 
-Detector detector_of(const std::shared_ptr<native::DegreeModel>& model) {
-    const native::ModelDescription& description = model->description();
+Detector detector_of(const std::shared_ptr<DegreeModel>& model) {
+    const ModelDescription& description = model->description();
     Detector detector;
     detector.name = name_of(description);
     detector.swarm = swarm_names[dataset::index_of(description.image.swarm)];

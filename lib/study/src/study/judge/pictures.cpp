@@ -26,20 +26,20 @@ constexpr double top_px = 60.0;
 constexpr double text_px = 9.0;
 
 /// A colour from light grey (0) to blue (1). From one half on it is dark enough for white text.
-plot::Colour shade(double share) {
+report::Colour shade(double share) {
     const auto fade = [&](double to) { return static_cast<std::uint8_t>(std::lround(245.0 + (to - 245.0) * share)); };
     return {fade(20.0), fade(80.0), fade(160.0)};
 }
 
-void draw_field(plot::Canvas& canvas, const plot::Box& box, std::uint64_t count, std::uint64_t of_class) {
+void draw_field(report::Canvas& canvas, const report::Box& box, std::uint64_t count, std::uint64_t of_class) {
     const double share = of_class == 0 ? 0.0 : static_cast<double>(count) / static_cast<double>(of_class);
     canvas.fill(box, shade(share));
-    const plot::Pixel middle{box.left_px + box.width_px / 2.0, box.top_px + box.height_px / 2.0};
+    const report::Pixel middle{box.left_px + box.width_px / 2.0, box.top_px + box.height_px / 2.0};
     const std::string text = std::to_string(count) + " (" + std::to_string(std::lround(100.0 * share)) + " %)";
-    canvas.text(middle, text, text_px, plot::Anchor::centre, share > 0.5 ? plot::white : plot::black);
+    canvas.text(middle, text, text_px, report::Anchor::centre, share > 0.5 ? report::white : report::black);
 }
 
-void draw_panel(plot::Canvas canvas, const Evaluation& evaluation) {
+void draw_panel(report::Canvas canvas, const Evaluation& evaluation) {
     const Confusion& confusion = evaluation.performance.confusion;
     const std::array<std::array<std::uint64_t, 2>, 2> counts{
         {{confusion.true_positives, confusion.false_negatives}, {confusion.false_positives, confusion.true_negatives}}};
@@ -48,7 +48,7 @@ void draw_panel(plot::Canvas canvas, const Evaluation& evaluation) {
     canvas.text({left_px + field_width_px, 16.0}, detector.name + " (" + detector.swarm + ")", text_px);
     for (std::size_t row = 0; row < 2; ++row) {
         const double y_px = top_px + static_cast<double>(row) * field_height_px;
-        canvas.text({left_px - 8.0, y_px + field_height_px / 2.0}, names[row], text_px, plot::Anchor::right);
+        canvas.text({left_px - 8.0, y_px + field_height_px / 2.0}, names[row], text_px, report::Anchor::right);
         for (std::size_t column = 0; column < 2; ++column) {
             const double x_px = left_px + static_cast<double>(column) * field_width_px;
             draw_field(canvas, {x_px, y_px, field_width_px, field_height_px}, counts[row][column],
@@ -71,12 +71,12 @@ void draw_confusions(const std::filesystem::path& file, std::span<const Evaluati
         }
     }
     const std::size_t rows = std::max<std::size_t>(1, (deciding.size() + columns - 1) / columns);
-    plot::Canvas page(panel_width_px * static_cast<double>(columns), panel_height_px * static_cast<double>(rows));
+    report::Canvas page(panel_width_px * static_cast<double>(columns), panel_height_px * static_cast<double>(rows));
     for (std::size_t index = 0; index < deciding.size(); ++index) {
         const std::size_t row = index / columns;
         const std::size_t column = index % columns;
-        const plot::Box box{static_cast<double>(column) * panel_width_px, static_cast<double>(row) * panel_height_px,
-                            panel_width_px, panel_height_px};
+        const report::Box box{static_cast<double>(column) * panel_width_px, static_cast<double>(row) * panel_height_px,
+                              panel_width_px, panel_height_px};
         draw_panel(page.window(box), *deciding[index]);
     }
     const cv::Mat3b pixels = page.page();
@@ -106,8 +106,8 @@ Drawn most_telling(std::span<const Evaluation> evaluations) {
 }
 
 void draw_roc(const std::filesystem::path& file, const Drawn& evaluations) {
-    plot::Figure figure({.width_px = 900.0, .height_px = 900.0});
-    plot::Axes& axes = figure.axes();
+    report::Figure figure({.width_px = 900.0, .height_px = 900.0});
+    report::Axes& axes = figure.axes();
     axes.title("ROC").x_label("false positive rate").y_label("true positive rate");
     axes.x_range(0.0, 1.0).y_range(0.0, 1.0);
     std::size_t colour = 0;
@@ -118,18 +118,18 @@ void draw_roc(const std::filesystem::path& file, const Drawn& evaluations) {
             x.push_back(point.false_positive_rate);
             y.push_back(point.true_positive_rate);
         }
-        axes.line(x, y, {.label = legend(evaluation->detector), .colour = plot::series_colour(colour++)});
+        axes.line(x, y, {.label = legend(evaluation->detector), .colour = report::series_colour(colour++)});
     }
     figure.write_png(file);
 }
 
 void draw_reliability(const std::filesystem::path& file, std::span<const Evaluation> evaluations) {
-    plot::Figure figure({.width_px = 900.0, .height_px = 900.0});
-    plot::Axes& axes = figure.axes();
+    report::Figure figure({.width_px = 900.0, .height_px = 900.0});
+    report::Axes& axes = figure.axes();
     axes.title("Reliability").x_label("mean degree").y_label("share that is degenerate");
     axes.x_range(0.0, 1.0).y_range(0.0, 1.0);
     const std::vector<double> corner{0.0, 1.0};
-    axes.line(corner, corner, {.label = "calibrated", .colour = plot::grey});
+    axes.line(corner, corner, {.label = "calibrated", .colour = report::grey});
     std::size_t colour = 0;
     for (const Evaluation& evaluation : evaluations) {
         if (!evaluation.calibration) {
@@ -143,7 +143,7 @@ void draw_reliability(const std::filesystem::path& file, std::span<const Evaluat
                 was.push_back(bin.positive_share);
             }
         }
-        const plot::Colour own = plot::series_colour(colour++);
+        const report::Colour own = report::series_colour(colour++);
         axes.line(said, was, {.label = legend(evaluation.detector), .colour = own});
         axes.scatter(said, was, {.label = "", .colour = own, .width_px = 6.0});
     }
@@ -153,8 +153,8 @@ void draw_reliability(const std::filesystem::path& file, std::span<const Evaluat
 const dataset::Grouping& by_particles() { return dataset::groupings().back(); }
 
 void draw_particles(const std::filesystem::path& file, const dataset::Dataset& data, const Drawn& evaluations) {
-    plot::Figure figure;
-    plot::Axes& axes = figure.axes();
+    report::Figure figure;
+    report::Axes& axes = figure.axes();
     axes.title("Accuracy by number of particles").x_label("log10 of the number of particles").y_label("accuracy");
     std::size_t colour = 0;
     for (const Evaluation* evaluation : evaluations) {
@@ -165,7 +165,7 @@ void draw_particles(const std::filesystem::path& file, const dataset::Dataset& d
             accuracy.push_back(performance_at(*evaluation, places).confusion.accuracy());
         }
         axes.line(particles, accuracy,
-                  {.label = legend(evaluation->detector), .colour = plot::series_colour(colour++)});
+                  {.label = legend(evaluation->detector), .colour = report::series_colour(colour++)});
     }
     figure.write_png(file);
 }

@@ -18,7 +18,7 @@ constexpr const char* optimizer_key = "optimizer";
 constexpr const char* random_key = "random_state";
 
 void put_network(torch::serialize::OutputArchive& archive, const Network& network,
-                 const native::ModelDescription& description) {
+                 const ModelDescription& description) {
     archive.write(description_key, torch::IValue(Json(description).dump()));
     torch::serialize::OutputArchive weights(archive.compilation_unit());
     network.save(weights);
@@ -33,16 +33,14 @@ void write_archive(const std::filesystem::path& path, torch::serialize::OutputAr
 
 }  // namespace
 
-void write_checkpoint(const std::filesystem::path& path, const Network& network,
-                      const native::ModelDescription& description) {
+void write_checkpoint(const std::filesystem::path& path, const Network& network, const ModelDescription& description) {
     torch::serialize::OutputArchive archive;
     put_network(archive, network, description);
     write_archive(path, archive);
 }
 
-void write_checkpoint(const std::filesystem::path& path, const Network& network,
-                      const native::ModelDescription& description, const torch::optim::Optimizer& optimizer,
-                      const train::TrainingState& state) {
+void write_checkpoint(const std::filesystem::path& path, const Network& network, const ModelDescription& description,
+                      const torch::optim::Optimizer& optimizer, const train::TrainingState& state) {
     torch::serialize::OutputArchive archive;
     put_network(archive, network, description);
     archive.write(state_key, torch::IValue(Json(state).dump()));
@@ -71,12 +69,10 @@ std::string Checkpoint::text(const char* key) {
     return value.toStringRef();
 }
 
-native::ModelDescription Checkpoint::description() {
-    return native::parse_description(text(description_key), path_.string());
-}
+ModelDescription Checkpoint::description() { return parse_model_description(text(description_key), path_.string()); }
 
 std::shared_ptr<Network> Checkpoint::network() {
-    const native::ModelDescription about = description();
+    const ModelDescription about = description();
     std::shared_ptr<Network> network = make_network(about.network, about.image.size_px);
     guarded([&] {
         torch::serialize::InputArchive weights;

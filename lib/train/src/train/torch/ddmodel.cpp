@@ -10,10 +10,10 @@ torch::nn::LayerNorm layer_norm(std::int64_t width) {
     return torch::nn::LayerNorm(torch::nn::LayerNormOptions({width}));
 }
 
-torch::nn::Sequential blocks_of(const native::DDModelTable& table) {
+torch::nn::Sequential blocks_of(const network::DDModelTable& table) {
     torch::nn::Sequential blocks;
     std::int64_t channels = table.stem.channels;
-    for (const native::GroupRow& group : table.groups) {
+    for (const network::GroupRow& group : table.groups) {
         for (std::int64_t block = 0; block < group.blocks; ++block) {
             blocks->push_back(std::make_shared<BasicBlock>(channels, group.channels, block == 0 ? group.stride : 1));
             channels = group.channels;
@@ -45,7 +45,7 @@ torch::Tensor BasicBlock::forward(const torch::Tensor& x) {
     return torch::relu(second_->forward(first_->forward(x)) + skip);
 }
 
-EncoderLayer::EncoderLayer(const native::EncoderRow& row)
+EncoderLayer::EncoderLayer(const network::EncoderRow& row)
     : heads_(row.heads),
       attention_norm_(register_module("attention_norm", layer_norm(row.width))),
       query_key_value_(register_module("query_key_value", torch::nn::Linear(row.width, 3 * row.width))),
@@ -70,7 +70,7 @@ torch::Tensor EncoderLayer::self_attention(const torch::Tensor& x) {
     return attention_out_(mixed.transpose(1, 2).reshape({-1, tokens, heads_ * head_width}));
 }
 
-DDModel::DDModel(const native::DDModelTable& table, std::int64_t size_px)
+DDModel::DDModel(const network::DDModelTable& table, std::int64_t size_px)
     : stem_(register_module("stem", std::make_shared<ConvNorm>(ConvNormOptions{.in_channels = 1,
                                                                                .out_channels = table.stem.channels,
                                                                                .kernel_px = table.stem.kernel_px,
@@ -79,7 +79,7 @@ DDModel::DDModel(const native::DDModelTable& table, std::int64_t size_px)
       groups_(register_module("groups", blocks_of(table))),
       embedding_(register_module("embedding", torch::nn::Linear(table.groups.back().channels, table.encoder.width))),
       position_(
-          register_parameter("position", torch::empty({native::token_count(table, size_px), table.encoder.width}))),
+          register_parameter("position", torch::empty({network::token_count(table, size_px), table.encoder.width}))),
       encoder_(register_module("encoder", std::make_shared<EncoderLayer>(table.encoder))),
       norm_(register_module("norm", torch::nn::LayerNorm(torch::nn::LayerNormOptions({table.encoder.width})))),
       head_(register_module("head", torch::nn::Linear(table.encoder.width, 2))) {

@@ -29,7 +29,7 @@ private:
 /// torch::nn::TransformerEncoder would fix the exported model to the size of the traced batch.
 class EncoderLayer : public torch::nn::Module {
 public:
-    explicit EncoderLayer(const native::EncoderRow& row);
+    explicit EncoderLayer(const network::EncoderRow& row);
     /// x: [n, tokens, width] in float32. So is the result; under autocast only the matrix products are computed in
     /// bf16.
     torch::Tensor forward(const torch::Tensor& x);
@@ -49,7 +49,7 @@ private:
 /// The networks of network/dd_tables.hpp.
 class DDModel : public Network {
 public:
-    DDModel(const native::DDModelTable& table, std::int64_t size_px);
+    DDModel(const network::DDModelTable& table, std::int64_t size_px);
     torch::Tensor forward(const torch::Tensor& images) override;
 
     /// The backbone: from images to maps [n, channels, side, side].

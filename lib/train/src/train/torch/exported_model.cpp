@@ -37,7 +37,7 @@ torch::jit::Module owner_of(const torch::nn::Module& network, const std::string&
 }
 
 /// Traces the network with a batch and adds the recorded graph to `owner` as the method "forward".
-void trace_forward(torch::jit::Module& owner, Network& network, const native::ModelDescription& description) {
+void trace_forward(torch::jit::Module& owner, Network& network, const ModelDescription& description) {
     const auto size = static_cast<std::int64_t>(description.image.size_px);
     // The batch has two images: with one, an operation that works only for a batch of one would go unnoticed.
     const torch::Tensor images = torch::zeros({2, 1, size, size}, network.parameters().front().options());
@@ -59,11 +59,11 @@ bool has_file(const std::filesystem::path& path, const std::string& name) {
     return reader.hasRecord("extra/" + name);
 }
 
-native::ModelDescription description_in(const std::string& text, const std::filesystem::path& path) {
+ModelDescription description_in(const std::string& text, const std::filesystem::path& path) {
     if (text.empty()) {
         throw Error(path.string() + ": not a model of ddtool: no " + description_file + " inside");
     }
-    return native::parse_description(text, path.string());
+    return parse_model_description(text, path.string());
 }
 
 /// Prepares a loaded module for inference in one precision. The result ignores autocast, and LibTorch 1.13 cannot save
@@ -86,8 +86,7 @@ torch::Tensor class_values(torch::Tensor values) {
 
 }  // namespace
 
-void write_torch_script(const std::filesystem::path& path, Network& network,
-                        const native::ModelDescription& description) {
+void write_torch_script(const std::filesystem::path& path, Network& network, const ModelDescription& description) {
     network.eval();
     const torch::NoGradGuard no_gradients;
     torch::jit::Module owner = owner_of(network, "network", std::make_shared<torch::jit::CompilationUnit>());
@@ -105,8 +104,7 @@ bool is_exported_model(const std::filesystem::path& path) {
                            [&] { return has_file(path, description_file); });
 }
 
-std::unique_ptr<native::DegreeModel> load_torch_script(const std::filesystem::path& path,
-                                                       const train::RunOptions& options) {
+std::unique_ptr<DegreeModel> load_torch_script(const std::filesystem::path& path, const train::RunOptions& options) {
     expect_listed_checksum(path);
     torch::jit::ExtraFilesMap extra{{description_file, ""}};
     const auto guarded = [path](auto&& action) {
@@ -114,7 +112,7 @@ std::unique_ptr<native::DegreeModel> load_torch_script(const std::filesystem::pa
     };
     torch::jit::Module module =
         guarded([&] { return torch::jit::load(path.string(), torch::Device(options.device), extra); });
-    native::ModelDescription description = description_in(extra.at(description_file), path);
+    ModelDescription description = description_in(extra.at(description_file), path);
     guarded([&] {
         module.eval();
         if (options.precision == "fp32") {
@@ -129,8 +127,8 @@ std::unique_ptr<native::DegreeModel> load_torch_script(const std::filesystem::pa
         options);
 }
 
-native::PlainWeights plain_weights(const Network& network, const native::ModelDescription& about) {
-    native::PlainWeights weights{Json(about).dump(), {}};
+network::PlainWeights plain_weights(const Network& network, const ModelDescription& about) {
+    network::PlainWeights weights{Json(about).dump(), {}};
     const auto add = [&](const auto& items) {
         for (const auto& item : items) {
             const torch::Tensor values = item.value().detach().to(torch::kCPU, torch::kFloat32).contiguous();

@@ -19,9 +19,9 @@ struct NetworkRow {
 
 const std::array<NetworkRow, 3>& networks() {
     static const std::array<NetworkRow, 3> table{{
-        {"ddmodel", [](std::int64_t size_px) { return std::make_shared<DDModel>(native::ddmodel_table(), size_px); }},
+        {"ddmodel", [](std::int64_t size_px) { return std::make_shared<DDModel>(network::ddmodel_table(), size_px); }},
         {"ddmodel-lite",
-         [](std::int64_t size_px) { return std::make_shared<DDModel>(native::ddmodel_lite_table(), size_px); }},
+         [](std::int64_t size_px) { return std::make_shared<DDModel>(network::ddmodel_lite_table(), size_px); }},
         {"mobilenetv3", [](std::int64_t) { return std::make_shared<MobileNetV3>(); }},
     }};
     return table;

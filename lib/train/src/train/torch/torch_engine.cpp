@@ -21,9 +21,9 @@ void expect_device(const std::string& device) {
     }
 }
 
-std::unique_ptr<native::DegreeModel> model_of(Checkpoint& checkpoint, const train::RunOptions& options) {
+std::unique_ptr<DegreeModel> model_of(Checkpoint& checkpoint, const train::RunOptions& options) {
     const std::shared_ptr<Network> network = checkpoint.network();
-    native::ModelDescription about = checkpoint.description();
+    ModelDescription about = checkpoint.description();
     const torch::Device device(options.device);
     network->to(device);
     const auto forward = [network, loss = about.loss, temperature = about.temperature](const torch::Tensor& images) {
@@ -66,14 +66,14 @@ public:
 
     void export_model(const std::filesystem::path& checkpoint, const std::filesystem::path& out) const override {
         Checkpoint source(checkpoint);
-        const native::ModelDescription about = source.description();
+        const ModelDescription about = source.description();
         const std::shared_ptr<Network> network = source.network();
         write_torch_script(out, *network, about);
-        native::write_safetensors(train::plain_weights_beside(out), plain_weights(*network, about));
+        network::write_safetensors(train::plain_weights_beside(out), plain_weights(*network, about));
     }
 
-    [[nodiscard]] std::unique_ptr<native::DegreeModel> load(const std::filesystem::path& file,
-                                                            const train::RunOptions& options) const override {
+    [[nodiscard]] std::unique_ptr<DegreeModel> load(const std::filesystem::path& file,
+                                                    const train::RunOptions& options) const override {
         expect_device(options.device);
         if (is_exported_model(file)) {
             return load_torch_script(file, options);

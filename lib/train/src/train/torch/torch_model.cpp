@@ -5,7 +5,7 @@
 
 namespace ddtool::train_torch {
 
-TorchModel::TorchModel(native::ModelDescription description, Forward forward, const train::RunOptions& options)
+TorchModel::TorchModel(ModelDescription description, Forward forward, const train::RunOptions& options)
     : description_(std::move(description)),
       forward_(std::move(forward)),
       device_(options.device),
@@ -26,7 +26,7 @@ void TorchModel::run(std::span<const float> images, std::span<double> degrees) {
     const MixedPrecision precision(precision_, device_.type());
     // from_blob() takes no pointer to const, but nothing writes through this one.
     const torch::Tensor input = torch::from_blob(const_cast<float*>(images.data()), {count, 1, size, size}).to(device_);
-    const torch::Tensor values = forward_(input).select(1, native::degenerate_output).to(torch::kCPU, torch::kFloat64);
+    const torch::Tensor values = forward_(input).select(1, degenerate_output).to(torch::kCPU, torch::kFloat64);
     std::copy_n(values.contiguous().data_ptr<double>(), degrees.size(), degrees.begin());
 }
 

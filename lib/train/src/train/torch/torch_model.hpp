@@ -10,18 +10,18 @@
 namespace ddtool::train_torch {
 
 /// Runs a function of LibTorch on images in plain memory.
-class TorchModel : public native::DegreeModel {
+class TorchModel : public DegreeModel {
 public:
     /// Maps images [n, 1, size_px, size_px] to the two values [n, 2].
     using Forward = std::function<torch::Tensor(const torch::Tensor& images)>;
 
-    TorchModel(native::ModelDescription description, Forward forward, const train::RunOptions& options);
+    TorchModel(ModelDescription description, Forward forward, const train::RunOptions& options);
 
-    [[nodiscard]] const native::ModelDescription& description() const override { return description_; }
+    [[nodiscard]] const ModelDescription& description() const override { return description_; }
     void run(std::span<const float> images, std::span<double> degrees) override;
 
 private:
-    native::ModelDescription description_;
+    ModelDescription description_;
     Forward forward_;
     torch::Device device_;
     std::string precision_;

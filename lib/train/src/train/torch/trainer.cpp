@@ -208,8 +208,8 @@ void Trainer::end_epoch(std::size_t steps) {
     }
 }
 
-native::ModelDescription Trainer::description() const {
-    native::ModelDescription about;
+ModelDescription Trainer::description() const {
+    ModelDescription about;
     about.network = state_.settings.model;
     about.loss = state_.settings.loss;
     about.image = state_.settings.image;

@@ -36,7 +36,7 @@ private:
     /// The learning rate of a step of the current epoch.
     [[nodiscard]] double rate_of_step(std::size_t step, std::size_t steps_per_epoch) const;
     void end_epoch(std::size_t steps);
-    [[nodiscard]] native::ModelDescription description() const;
+    [[nodiscard]] ModelDescription description() const;
     void save_last();
     void save_if_due();
     void show_progress(std::size_t steps_per_epoch);
