@@ -3,7 +3,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -41,6 +43,14 @@ struct Option {
     bool* given = nullptr;      ///< set to true if the option is given
 };
 
+/// Settings inside the program for a command that is given no plan of its own. --set and options are merged into them.
+struct BuiltinPlan {
+    std::string name;       ///< names the plan in messages
+    std::string_view text;  ///< JSON with comments, which changes Command::settings
+    /// Returns whether the settings that the user gave lack a plan. It is called only if there is no --config.
+    std::function<bool(const Json& settings)> lacking;
+};
+
 /// One sub-command of ddtool: a row of the table in commands.hpp. The options that every command with settings takes
 /// (--config, --set) are not listed here.
 struct Command {
@@ -48,6 +58,7 @@ struct Command {
     std::string summary;
     std::string example;
     Json settings = Json::object();  ///< every setting of the command, with its default
+    std::optional<BuiltinPlan> plan = {};
     std::vector<Option> options;
     /// Called with the settings that result from --config, --set and the options that stand for settings.
     std::function<ExitCode(const Json& settings)> run;

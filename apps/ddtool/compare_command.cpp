@@ -5,9 +5,11 @@
 
 #include "commands.hpp"
 #include "detectors.hpp"
+#include "output_folder.hpp"
 #include "study/compare/report.hpp"
 #include "study/compare/result_tables.hpp"
 #include "study/compare/world_pictures.hpp"
+#include "system/folder.hpp"
 #include "system/log.hpp"
 #include "system/progress.hpp"
 #include "version.hpp"
@@ -49,17 +51,24 @@ bool all_runs_scored(const std::vector<compare::CellResult>& results) {
     return failed == 0 && damaged == 0;
 }
 
+/// Whether a comparison in the folder was stopped. What it has computed is not computed again.
+bool is_unfinished_comparison(const std::filesystem::path& folder) {
+    return is_folder(folder / "cells") && !std::filesystem::exists(folder / "results.json");
+}
+
 ExitCode run_comparison(const CompareRequest& request, const Json& settings) {
     const Clock::time_point start = Clock::now();
     const compare::Experiment experiment = compare::experiment_from_json(settings, all_detectors());
     const std::vector<compare::Cell> cells = compare::cells_of(experiment);
-    compare::ResultStore store(request.folder);
+    const OutputFolder output(request.folder, "compare", is_unfinished_comparison);
+    const std::filesystem::path& folder = output.path();
+    compare::ResultStore store(folder);
     ThreadPool threads(request.threads);
     const auto [results, computed] = compare::run_cells(experiment, cells, store, threads, program_version());
     log_info("drawing");
     const std::vector<compare::Picture> pictures =
-        compare::draw_worlds(request.folder, experiment, cells, results, store, threads);
-    const bool has_page = compare::write_report(request.folder, experiment, cells, results, pictures);
+        compare::draw_worlds(folder, experiment, cells, results, store, threads);
+    const bool has_page = compare::write_report(folder, experiment, cells, results, pictures);
     if (request.as_json) {
         std::cout << compare::results_json(experiment, cells, results).dump(2) << '\n';
     } else {
@@ -68,7 +77,7 @@ ExitCode run_comparison(const CompareRequest& request, const Json& settings) {
     warn_of_other_builds(results);
     log_info(std::to_string(computed) + " of " + std::to_string(cells.size()) + " runs computed, " +
              format_duration(std::chrono::duration<double>(Clock::now() - start).count()) + " in all; report in " +
-             request.folder + "/report.html");
+             (folder / "report.html").string());
     return all_runs_scored(results) && has_page ? ExitCode::done : ExitCode::done_with_loss;
 }
 
@@ -82,8 +91,10 @@ Command compare_command() {
             .settings = compare::default_experiment_json(),
             .options =
                 {
-                    {"--out", &request->folder, "Where results go; what is finished there is not run again", "FOLDER",
-                     Presence::required},
+                    {"--out", &request->folder,
+                     "Folder for the results, where finished runs are not run again; if not given, the new one "
+                     "'compare'",
+                     "DIR"},
                     {"--threads", &request->threads, "Runs at the same time; 0 is one a core"},
                     {"--json", &request->as_json, "Print JSON instead of a table"},
                 },

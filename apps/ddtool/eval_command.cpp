@@ -6,8 +6,10 @@
 #include <utility>
 
 #include "ablation_report.hpp"
+#include "assumed_inputs.hpp"
 #include "commands.hpp"
 #include "dataset/dataset.hpp"
+#include "output_folder.hpp"
 #include "study/judge/evaluation_page.hpp"
 #include "study/judge/label_noise.hpp"
 #include "study/judge/model_scorer.hpp"
@@ -27,7 +29,8 @@ using judge::Evaluation;
 using judge::Task;
 
 struct EvalRequest {
-    std::string data;
+    std::string data = standard_dataset;
+    bool names_data = false;
     std::vector<std::string> models;
     std::string fit;
     std::string out;
@@ -95,12 +98,39 @@ report::Page page_of(const std::filesystem::path& folder, const std::string& dat
     return page;
 }
 
+/// Whether an ablation in the folder was stopped. What it has trained is not trained again.
+bool is_unfinished_ablation(const std::filesystem::path& folder) {
+    return is_folder(folder / "models") && !std::filesystem::exists(folder / "ablation.json");
+}
+
 ExitCode ablate(const EvalRequest& request, const Json& options) {
-    if (request.out.empty()) {
-        throw UsageError("--ablation: expected --out, a folder for what it trains");
+    const train::Engine& engine = train::engine();
+    const std::filesystem::path data = data_folder(request.data, request.names_data);
+    const ablation::Machine machine{.device = options.at("device"), .threads = options.at("threads")};
+    const ablation::Plan plan = read_ablation_plan(request.ablation, machine);
+    const OutputFolder output(request.out, "ablation", is_unfinished_ablation);
+    return run_ablation(engine, request.ablation, plan, data, output.path(), machine, request.as_json);
+}
+
+/// The models that the user has named or, if they have named neither data set nor model, the newest beside the data set
+/// that is then assumed.
+std::vector<std::string> tested_models(const EvalRequest& request) {
+    if (request.names_data || !request.models.empty()) {
+        return request.models;
     }
-    return run_ablation(train::engine(), request.ablation, request.data, request.out,
-                        {.device = options.at("device"), .threads = options.at("threads")}, request.as_json);
+    const std::optional<std::filesystem::path> newest = newest_model_in(".");
+    if (!newest) {
+        return {};
+    }
+    return {newest->lexically_normal().string()};
+}
+
+/// Tells what was assumed. It is called after the models are loaded, because that may start the command anew.
+void tell_of_assumed(const EvalRequest& request, const std::vector<std::string>& models) {
+    if (!request.names_data && request.models.empty()) {
+        log_info(models.empty() ? "no --model, and no network beside the data set: only the simple rules are tested"
+                                : "no --model: testing " + models.front() + ", the newest network beside the data set");
+    }
 }
 
 void print_label_noise(const EvalRequest& request, const dataset::Dataset& data) {
@@ -117,8 +147,10 @@ ExitCode evaluate(const EvalRequest& request, const Json& settings) {
         return ablate(request, settings.at("run"));
     }
     const Task task = task_from(settings);
-    std::vector<judge::Detector> detectors = load_models(request.models, settings.at("run"));
-    const dataset::Dataset data(request.data);
+    const std::vector<std::string> models = tested_models(request);
+    std::vector<judge::Detector> detectors = load_models(models, settings.at("run"));
+    const dataset::Dataset data(data_folder(request.data, request.names_data));
+    tell_of_assumed(request, models);
     if (request.label_noise) {
         print_label_noise(request, data);
         return ExitCode::done;
@@ -137,22 +169,23 @@ ExitCode evaluate(const EvalRequest& request, const Json& settings) {
                     ": only their agreement with the physics is known");
     }
     const std::string report = judge::evaluation_json(data, evaluations, task).dump(2) + "\n";
-    if (!request.out.empty()) {
-        write_file(made_folder(request.out) / "eval.json", report);
+    const OutputFolder output(request.out, "eval");
+    const std::filesystem::path& folder = output.path();
+    write_file(made_folder(folder) / "eval.json", report);
+    if (tested) {
+        judge::draw_evaluations(folder, data, evaluations, judge::detailed(evaluations).front());
+        log_info("pictures in " + folder.string());
     }
-    if (!request.out.empty() && tested) {
-        judge::draw_evaluations(request.out, data, evaluations, judge::detailed(evaluations).front());
-        log_info("pictures in " + request.out);
-    }
-    const bool has_page =
-        request.out.empty() || report::write_page(std::filesystem::path(request.out) / "report.html", [&] {
-            return page_of(request.out, report::folder_name(request.data), data, evaluations, task);
-        });
+    const bool has_page = report::write_page(folder / "report.html", [&] {
+        return page_of(folder, report::folder_name(request.data), data, evaluations, task);
+    });
     if (request.as_json) {
         std::cout << report;
     } else {
         print(data, evaluations, task);
     }
+    log_info("next: ddtool eval --ablation" + (request.names_data ? " --data " + request.data : "") +
+             ", which trains the paper's networks and compares them");
     return has_page ? ExitCode::done : ExitCode::done_with_loss;
 }
 
@@ -171,7 +204,11 @@ Command eval_command() {
                      {"run", {{"device", run.device}, {"precision", run.precision}, {"threads", 0U}}}},
         .options =
             {
-                {"--data", &request->data, "The data set", "DIR", Presence::required},
+                {.name = "--data",
+                 .value = &request->data,
+                 .help = "The data set; if not given, the newest network beside it is tested, too",
+                 .type = "DIR",
+                 .given = &request->names_data},
                 {"--model", &request->models, "An exported model or a checkpoint; may be given many times", "FILE.pt"},
                 {"--fit", &request->fit,
                  "Data set whose part train the simple rules are fitted on, if not that of --data", "DIR"},
@@ -183,13 +220,16 @@ Command eval_command() {
                 {"--threads", SettingPath{"run.threads"}, "Of models; 0 is one a core"},
                 {.name = "--ablation",
                  .value = &request->ablation,
-                 .help = "Instead: the table that the file plans; what --out lacks is trained",
-                 .type = "FILE",
-                 .alone = "configs/ablation/paper.json",
+                 .help = "Instead: the table that the file plans; what --out lacks is trained. 'paper' is the paper's "
+                         "table, and 'reduced' as much of it as this machine can train",
+                 .type = "reduced|paper|FILE",
+                 .alone = reduced_plan_name,
                  .excludes = "--model"},
                 {"--label-noise", &request->label_noise,
                  "Instead: how often labels differ between runs of the data set that differ in their seeds alone"},
-                {"--out", &request->out, "Write eval.json, report.html and pictures there", "DIR"},
+                {"--out", &request->out,
+                 "Folder for eval.json, report.html and pictures; if not given, a new one: 'eval', or 'ablation'",
+                 "DIR"},
                 {"--json", &request->as_json, "Print JSON instead of tables"},
             },
         .run = [request](const Json& settings) { return evaluate(*request, settings); }};

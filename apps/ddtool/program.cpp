@@ -52,6 +52,8 @@ private:
     CLI::Option* declare_setting(const Option& option, const std::string& path);
     /// Declares --config and --set.
     void declare_files_and_assignments();
+    /// Merges --config, --set and the options that stand for settings, in this order.
+    [[nodiscard]] Json with_all_changes(Json settings) const;
     [[nodiscard]] Json effective_settings() const;
 
     const Command& command_;
@@ -130,8 +132,7 @@ void ParsedCommand::declare_files_and_assignments() {
     repeated("--set", assignments_, "One setting, e.g. --set filter.particles=60; may be repeated", "PATH=VALUE");
 }
 
-Json ParsedCommand::effective_settings() const {
-    Json settings = command_.settings;
+Json ParsedCommand::with_all_changes(Json settings) const {
     for (const std::string& file : config_files_) {
         merge_settings_file(settings, file);
     }
@@ -142,6 +143,18 @@ Json ParsedCommand::effective_settings() const {
         merge_setting(settings, path, text, option);
     }
     return settings;
+}
+
+Json ParsedCommand::effective_settings() const {
+    Json settings = with_all_changes(command_.settings);
+    const std::optional<BuiltinPlan>& plan = command_.plan;
+    if (!plan || !config_files_.empty() || !plan->lacking(settings)) {
+        return settings;
+    }
+    log_info("no --config: the plan is " + plan->name + ", which is inside the program");
+    settings = command_.settings;
+    merge_settings(settings, parse_json(plan->text, plan->name, /*comments=*/true), plan->name);
+    return with_all_changes(std::move(settings));
 }
 
 ExitCode ParsedCommand::run() const {

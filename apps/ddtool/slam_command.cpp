@@ -10,6 +10,7 @@
 #include "log_options.hpp"
 #include "logs/stream/live_log.hpp"
 #include "methods/settings_json.hpp"
+#include "output_folder.hpp"
 #include "run/live_run.hpp"
 #include "run/live_server.hpp"
 #include "run/run_folder.hpp"
@@ -116,7 +117,8 @@ ExitCode slam(const SlamRequest& request, const Json& settings) {
     const InterruptRequest interrupt;
     DrivenScans scans(open(request, log_options(settings.at("log")), interrupt, problems), filter_settings.rbpf);
     scans.tell_truth(truth);
-    RunFolder folder(request.folder, request.with_snapshots);
+    const OutputFolder output(request.folder, name_of_results(request.log));
+    RunFolder folder(output.path(), request.with_snapshots);
     const FilterRun result = run_over(scans, std::move(filter), interrupt, folder, served.get());
     return_freed_memory();  // returns the memory of the particles' maps before the pictures are drawn
     if (result.trajectory.empty()) {
@@ -158,9 +160,12 @@ ExitCode slam(const SlamRequest& request, const Json& settings) {
                          .log = log,
                          .versions = versions});
     });
-    std::cout << (request.as_json ? report.dump(2) + "\n" : slam_summary(run, cost, request.folder, folder.files()));
+    std::cout << (request.as_json ? report.dump(2) + "\n"
+                                  : slam_summary(run, cost, output.path().string(), folder.files()));
     const ExitCode log_loss = problems.finish(scans.summary());
     std::for_each(losses.begin(), losses.end(), log_warning);
+    log_info("next: open " + (output.path() / "report.html").string() +
+             " in a browser; to train a detector of degeneracy: ddtool build-dataset");
     if (served && !interrupt.made()) {
         log_info("the run is over; its map is served until Ctrl-C");
         std::cout.flush();
@@ -177,7 +182,7 @@ Command slam_command() {
         {"--log", &request->log, log_file_help + std::string("; - is MCAP from standard input"), "FILE",
          Presence::required},
         {"--follow", &request->follow, "The log is MCAP that is still being written: wait for more, up to its footer"},
-        {"--out", &request->folder, "Folder for the results; created where it is not there", "DIR", Presence::required},
+        {"--out", &request->folder, "Folder for the results; if not given, a new one named after the log", "DIR"},
         {"--method", SettingPath{"filter.method"}, "What the filter does about degeneracy", choices(method_names())},
         {"--detector", SettingPath{"filter.detector"},
          "What tells the degree, or a model's file; empty: the method's own",
@@ -207,7 +212,7 @@ Command slam_command() {
          {"--json", &request->as_json, "Print run.json instead of a summary"}});
     return {.name = "slam",
             .summary = "Map and trajectory from a log",
-            .example = "ddtool slam --log run.mcap --out run",
+            .example = "ddtool slam --log run.mcap",
             .settings = {{"log", default_log_settings()}, {"filter", filter_settings_json({})}},
             .options = std::move(options),
             .run = [request](const Json& settings) { return slam(*request, settings); }};

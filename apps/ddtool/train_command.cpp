@@ -1,34 +1,55 @@
 #include <iostream>
 #include <memory>
 
+#include "assumed_inputs.hpp"
 #include "commands.hpp"
+#include "output_folder.hpp"
 #include "system/log.hpp"
 #include "train/engine.hpp"
+#include "train/process_group.hpp"
 #include "train_report.hpp"
 
 namespace ddtool {
 namespace {
 
 struct TrainOptions {
-    std::string data;
+    std::string data = standard_dataset;
+    bool names_data = false;
     std::string out;
     /// everything except the settings, and data and out, which the command line gives as text
     train::TrainRequest rest;
     bool as_json = false;
 };
 
+/// Throws UsageError if several processes train together but no folder is given: each would make one of its own.
+void expect_shared_folder(const TrainOptions& options) {
+    if (options.out.empty() && train::process_group()) {
+        throw UsageError("--out: expected a folder, which the processes that train together share");
+    }
+}
+
+std::string next_command(const train::TrainRequest& request, const train::TrainResult& result,
+                         const TrainOptions& options) {
+    return options.names_data || !options.out.empty()
+               ? "ddtool eval --data " + request.data.string() + " --model " + result.best.string()
+               : "ddtool eval";
+}
+
 ExitCode train_network(const TrainOptions& options, const Json& settings) {
     const train::Engine& engine = train::engine();
     train::TrainRequest request = options.rest;
-    request.data = options.data;
-    request.out = options.out;
+    request.data = data_folder(options.data, options.names_data);
     request.settings = train::train_settings_from_json(settings);
+    expect_shared_folder(options);
+    const OutputFolder output(options.out, "train");
+    request.out = output.path();
     const train::TrainResult result = engine.train(request);
     if (!result.leads) {
         return ExitCode::done;
     }
     if (result.interrupted) {
-        log_warning("stopped after " + std::to_string(result.epochs) + " epochs; --resume goes on");
+        log_warning("stopped after " + std::to_string(result.epochs) + " epochs; the same command with --out " +
+                    output.path().string() + " --resume goes on");
         return ExitCode::failed;
     }
     if (options.as_json) {
@@ -36,7 +57,9 @@ ExitCode train_network(const TrainOptions& options, const Json& settings) {
     } else {
         std::cout << result_table(result).text() << "checkpoint: " << result.best.string() << '\n';
     }
-    return write_train_page(engine, request, result) ? ExitCode::done : ExitCode::done_with_loss;
+    const bool has_page = write_train_page(engine, request, result);
+    log_info("next: " + next_command(request, result, options));
+    return has_page ? ExitCode::done : ExitCode::done_with_loss;
 }
 
 }  // namespace
@@ -52,9 +75,15 @@ Command train_command() {
         .settings = defaults,
         .options =
             {
-                {"--data", &options->data, "The data set", "DIR", Presence::required},
-                {"--out", &options->out, "Folder for checkpoints (best.pt, last.pt), metrics, curves and report.html",
-                 "DIR", Presence::required},
+                {.name = "--data",
+                 .value = &options->data,
+                 .help = "The data set",
+                 .type = "DIR",
+                 .given = &options->names_data},
+                {"--out", &options->out,
+                 "Folder for checkpoints (best.pt, last.pt), metrics, curves and report.html; if not given, the new "
+                 "one 'train'",
+                 "DIR"},
                 {"--model", SettingPath{"model"}, "The network", "ddmodel|ddmodel-lite|mobilenetv3"},
                 {"--label", SettingPath{"label"}, "What the network learns to tell", "fisher|dispersion"},
                 {"--swarm", SettingPath{"image.swarm"}, "What of the swarm it sees", "response|step|absolute"},
@@ -68,7 +97,10 @@ Command train_command() {
                 {"--seed", SettingPath{"seed"}, "Of weights, order and augmentation"},
                 {"--device", &options->rest.device, "Where it is computed", "cpu|cuda"},
                 {"--threads", &options->rest.threads, "Of the compute; 0 is one a core"},
-                {"--resume", &options->rest.resume, "Go on from OUT/last.pt, where it is there"},
+                {.name = "--resume",
+                 .value = &options->rest.resume,
+                 .help = "Go on from OUT/last.pt, where it is there",
+                 .needs = "--out"},
                 {"--checkpoint-interval", &options->rest.checkpoint_interval_s,
                  "last.pt is written after every epoch, and at least so often", "SECONDS"},
                 {"--json", &options->as_json, "Print JSON instead of a table"},

@@ -2,7 +2,9 @@
 
 #include <gmock/gmock.h>
 
+#include "system/atomic_file.hpp"
 #include "system/log.hpp"
+#include "temporary_folder.hpp"
 #include "thrown_text.hpp"
 #include "version.hpp"
 
@@ -117,6 +119,31 @@ TEST(Program, HelpShowsDefaultsAndAnExampleAndRunsNothing) {
     EXPECT_TRUE(result.settings.is_null());
     EXPECT_THAT(result.out, HasSubstr("ddtool probe --particles 5"));
     EXPECT_THAT(result.out, HasSubstr("INT=30"));
+}
+
+TEST(Program, BuiltinPlanLiesUnderTheUsersSettingsWhereTheyHaveNone) {
+    Json seen;
+    Command command = probe(seen);
+    command.plan = BuiltinPlan{"plans/usual.json", R"({"method": "planned", "filter": {"particles": 7}} // why)",
+                               [](const Json& settings) { return settings.at("method") == "m"; }};
+    const CommandTable commands{std::move(command)};
+    const auto settings_of = [&](std::vector<const char*> words) {
+        words.insert(words.begin(), {"ddtool", "--quiet", "probe"});
+        run_program(commands, static_cast<int>(words.size()), words.data());
+        return seen;
+    };
+    EXPECT_EQ(settings_of({})["method"], "planned");
+    EXPECT_EQ(settings_of({})["fast"], true);
+    const Json changed = settings_of({"--set", "filter.particles=2"});
+    EXPECT_EQ(changed["method"], "planned");
+    EXPECT_EQ(changed["filter"]["particles"], 2);
+    const Json own = settings_of({"--method", "own"});
+    EXPECT_EQ(own["method"], "own");
+    EXPECT_EQ(own["filter"]["particles"], 30);
+    const test::TemporaryFolder folder;
+    write_file(folder / "empty.json", "{}");
+    EXPECT_EQ(settings_of({"--config", (folder / "empty.json").c_str()})["method"], "m");
+    set_log_level(LogLevel::info);
 }
 
 TEST(Program, VersionNamesTheCommitAndTheLibraries) {
