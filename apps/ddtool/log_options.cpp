@@ -33,6 +33,12 @@ const SettingTable<LogOptions>& log_rows() {
         {"ground_truth_topic", &LogOptions::ground_truth_topic, Allowed::text(), "",
          "Topic of the true poses; found by name where it is empty.", "docs/formats/logs.md"},
         laser_pose_row(),
+        {"no_return", &LogOptions::no_return_m, Allowed::numbers(0, 0.0, 1e6), "m",
+         "The readings that mean that a beam has no return; empty to find them, 0 alone where there are none.",
+         "docs/formats/logs.md"},
+        {"range_max", &LogOptions::range_max_m, Allowed::number(0.0, 1e6), "m",
+         "The range up to which readings are echoes, in place of the log's own; 0 for the log's own.",
+         "docs/formats/logs.md"},
     };
     return rows;
 }
@@ -49,7 +55,11 @@ void append_log_options(std::vector<Option>& options) {
           "Odometry or transforms to use; found by type where not given"},
          {"--ground-truth-topic", SettingPath{"log.ground_truth_topic"}, "True poses; found by name where not given"},
          {"--laser-pose", SettingPath{"log.laser_pose"},
-          "The laser on the robot, x,y,yaw in metres and radians; else the log's own"}});
+          "The laser on the robot, x,y,yaw in metres and radians; else the log's own"},
+         {"--no-return", SettingPath{"log.no_return"},
+          "Readings that mean no return, in metres, separated by commas; found where not given, 0: there are none"},
+         {"--range-max", SettingPath{"log.range_max"},
+          "Readings above it are no return, in metres; 0: the log's own"}});
 }
 
 Json default_log_settings() { return log_rows().json({}); }

@@ -6,6 +6,7 @@
 
 #include "compressed_text.hpp"
 #include "ddtool/base/error.hpp"
+#include "log_topics.hpp"
 #include "system/atomic_file.hpp"
 #include "temporary_folder.hpp"
 
@@ -76,6 +77,24 @@ TEST_F(CarmenLog, ARepeatedLargestReadingIsNoReturnFromTheFirstFrameOn) {
     EXPECT_NEAR(frames[0].scan.range_max_m, 8.191, 1e-6);
 }
 
+TEST_F(CarmenLog, TheReadingsThatMeanNoReturnAreSaidAndCanBeGiven) {
+    std::string text = offset_param;
+    for (int i = 0; i < 20; ++i) {
+        text += flaser("1 8.187 8.191", 0.1 * i, std::to_string(i) + ".0");
+    }
+    const auto found = open(text);
+    EXPECT_EQ(read(*found)[0].scan.ranges_m, (std::vector<float>{1.0F, LaserScan::no_return, LaserScan::no_return}));
+    ASSERT_EQ(found->summary().assumptions.size(), 2U);
+    EXPECT_NE(found->summary().assumptions[0].find("8.191 m (20 of 60 readings"), std::string::npos);
+    LogOptions told;
+    told.no_return_m = {8.191};
+    EXPECT_EQ(read(*open(text, told))[0].scan.ranges_m, (std::vector<float>{1.0F, 8.187F, LaserScan::no_return}));
+    told.no_return_m = {0.0};
+    told.range_max_m = 5.0;
+    EXPECT_EQ(read(*open(text, told))[0].scan.ranges_m,
+              (std::vector<float>{1.0F, LaserScan::no_return, LaserScan::no_return}));
+}
+
 TEST_F(CarmenLog, WithoutAnOffsetTheLaserIsAssumedAtTheOrigin) {
     const auto stream = open(flaser("1 2 3", 0.0, "1.0"));
     EXPECT_EQ(stream->next()->robot_from_laser, Pose2{});
@@ -85,7 +104,7 @@ TEST_F(CarmenLog, WithoutAnOffsetTheLaserIsAssumedAtTheOrigin) {
 
 TEST_F(CarmenLog, AGivenLaserPoseWins) {
     const Pose2 mounting{0.1, 0.2, 0.3};
-    const auto stream = open(offset_param + flaser("1 2 3", 0.0, "1.0"), {"", "", "", mounting});
+    const auto stream = open(offset_param + flaser("1 2 3", 0.0, "1.0"), test::topics("", "", "", mounting));
     EXPECT_EQ(stream->next()->robot_from_laser, mounting);
 }
 
@@ -101,7 +120,7 @@ TEST_F(CarmenLog, UsesOneKindOfScanAndTheOneAskedFor) {
     const std::string robotlaser = "ROBOTLASER1 0 -1 2 1 50 0 0 3 1 2 50 0 1.5 0 0 1 0 0 0 0 0 0 0 3.0 host 0\n";
     const std::string text = flaser("1 2 3", 0.0, "1.0") + robotlaser + flaser("1 2 3", 0.0, "2.0");
     EXPECT_EQ(read(text).size(), 2U);
-    const auto frames = read(*open(text, {"ROBOTLASER1", "", "", {}}));
+    const auto frames = read(*open(text, test::topics("ROBOTLASER1")));
     ASSERT_EQ(frames.size(), 1U);
     EXPECT_EQ(frames[0].robot_from_laser, (Pose2{0.5, 0.0, 0.0}));
     EXPECT_EQ(frames[0].scan.ranges_m[2], LaserScan::no_return);
@@ -109,15 +128,15 @@ TEST_F(CarmenLog, UsesOneKindOfScanAndTheOneAskedFor) {
 
 TEST_F(CarmenLog, RefusesOptionsItCannotMeet) {
     const std::string text = flaser("1 2 3", 0.0, "1.0");
-    EXPECT_THROW(open(text, {"/scan", "", "", {}}), UsageError);
-    EXPECT_THROW(open(text, {"", "/odom", "", {}}), UsageError);
-    EXPECT_THROW(open(text, {"", "", "/gt", {}}), UsageError);
+    EXPECT_THROW(open(text, test::topics("/scan")), UsageError);
+    EXPECT_THROW(open(text, test::topics("", "/odom")), UsageError);
+    EXPECT_THROW(open(text, test::topics("", "", "/gt")), UsageError);
 }
 
 TEST_F(CarmenLog, WithoutScansIsAnErrorThatSaysWhatThereIs) {
     EXPECT_THROW(open("ODOM 0 0 0 0 0 0 1.0 host 0\n")->next(), Error);
     try {
-        open(flaser("1 2 3", 0.0, "1.0"), {"ROBOTLASER1", "", "", {}})->next();
+        open(flaser("1 2 3", 0.0, "1.0"), test::topics("ROBOTLASER1"))->next();
         FAIL();
     } catch (const Error& error) {
         EXPECT_NE(std::string(error.what()).find("FLASER"), std::string::npos);

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "ddtool/base/error.hpp"
+#include "log_topics.hpp"
 #include "message_log.hpp"
 
 namespace ddtool {
@@ -185,7 +186,7 @@ TEST_F(Log, ALaserWithoutTransformIsAtTheRobotsOriginUnlessTold) {
     EXPECT_EQ(read().at(0).robot_from_laser, Pose2{});
     EXPECT_THAT(stream_->summary().assumptions, ElementsAre(HasSubstr("no transform")));
     const Pose2 mounting{0.1, 0.2, 0.3};
-    const Pose2 used = read({"", "", "", mounting}).at(0).robot_from_laser;
+    const Pose2 used = read(test::topics("", "", "", mounting)).at(0).robot_from_laser;
     EXPECT_NEAR(distance_m(used, mounting), 0.0, 1e-12);
     EXPECT_NEAR(used.theta_rad, 0.3, 1e-12);
     EXPECT_TRUE(stream_->summary().assumptions.empty());
@@ -210,7 +211,7 @@ TEST_F(Log, TopicsAreChosenByOption) {
     odometry(1.0, 1.0);
     odometry(1.0, 2.0, "/odometry/filtered");
     log_.add("/mocap", at(1.0), pose_message(at(1.0), "world", {3.0, 0.0, 0.0}));
-    const auto frames = read({"/scan_rear", "/odometry/filtered", "/mocap", {}});
+    const auto frames = read(test::topics("/scan_rear", "/odometry/filtered", "/mocap"));
     ASSERT_EQ(frames.size(), 1U);
     EXPECT_EQ(frames[0].odom_from_robot.x_m, 2.0);
     EXPECT_EQ(frames[0].world_from_robot.value().x_m, 3.0);
@@ -222,10 +223,10 @@ TEST_F(Log, TopicsAreChosenByOption) {
 TEST_F(Log, AnOptionThatNamesNoTopicSaysWhichThereAre) {
     scan(1.0);
     odometry(1.0, 1.0);
-    EXPECT_THROW(open({"/odom", "", "", {}}), UsageError);
-    EXPECT_THAT(failure({"/scn", "", "", {}}), HasSubstr("/scan"));
-    EXPECT_THAT(failure({"", "/odo", "", {}}), HasSubstr("/odom"));
-    EXPECT_THAT(failure({"", "", "/truth", {}}), HasSubstr("/odom"));
+    EXPECT_THROW(open(test::topics("/odom")), UsageError);
+    EXPECT_THAT(failure(test::topics("/scn")), HasSubstr("/scan"));
+    EXPECT_THAT(failure(test::topics("", "/odo")), HasSubstr("/odom"));
+    EXPECT_THAT(failure(test::topics("", "", "/truth")), HasSubstr("/odom"));
 }
 
 TEST_F(Log, ATopicThatBeginsLateIsFoundWhenAskedFor) {
@@ -234,7 +235,7 @@ TEST_F(Log, ATopicThatBeginsLateIsFoundWhenAskedFor) {
     }
     odometry(59.0, 5.0, "/late");
     scan(59.0);
-    EXPECT_EQ(read({"", "/late", "", {}}).back().odom_from_robot.x_m, 5.0);
+    EXPECT_EQ(read(test::topics("", "/late")).back().odom_from_robot.x_m, 5.0);
 }
 
 TEST_F(Log, WithoutScansTheErrorNamesWhatThereIs) {
@@ -258,6 +259,29 @@ TEST_F(Log, ReadingsAreWhatTheMessageDefinitionSays) {
     EXPECT_THAT((std::vector<float>{ranges[1], ranges[2], ranges[5], ranges[6]}), testing::Each(testing::IsNan()));
     EXPECT_LT(frames[0].scan.angle_increment_rad, 0.0);
     EXPECT_EQ(frames[1].scan.ranges_m.size(), 4U);
+}
+
+TEST_F(Log, AMissThatReadsTheMaximumRangeIsNoReturnUnlessToldOtherwise) {
+    for (int i = 0; i < 20; ++i) {
+        RosLaserScan message = scan_message(0.1 * i + 1.0);
+        message.ranges = {1.0F, 10.0F, 3.0F, 4.0F};
+        log_.add("/scan", at(0.1 * i + 1.0), message);
+    }
+    odometry(1.0, 1.0);
+    transform("base", "laser", Pose2{});
+    EXPECT_THAT(read().at(0).scan.ranges_m, ElementsAre(1.0F, LaserScan::no_return, 3.0F, 4.0F));
+    EXPECT_THAT(stream_->summary().assumptions, ElementsAre(HasSubstr("10.000 m (20 of 80 readings, 25.0 %)")));
+    LogOptions told;
+    told.no_return_m = {0.0};
+    EXPECT_THAT(read(told).at(0).scan.ranges_m, ElementsAre(1.0F, 10.0F, 3.0F, 4.0F));
+    EXPECT_TRUE(stream_->summary().assumptions.empty());
+    told.no_return_m = {3.0};
+    EXPECT_THAT(read(told).at(0).scan.ranges_m,
+                ElementsAre(1.0F, LaserScan::no_return, LaserScan::no_return, LaserScan::no_return));
+    told.no_return_m = {0.0};
+    told.range_max_m = 3.5;
+    EXPECT_THAT(read(told).at(0).scan.ranges_m, ElementsAre(1.0F, LaserScan::no_return, 3.0F, LaserScan::no_return));
+    EXPECT_EQ(read(told).at(0).scan.range_max_m, 3.5);
 }
 
 TEST_F(Log, SkipsMessagesThatCannotBeUsed) {

@@ -110,5 +110,16 @@ TEST(Allowed, NumbersAreNoneOrAllOfThem) {
     EXPECT_NE(said({1, 2, "3"}), "");
 }
 
+TEST(Allowed, AListOfNumbersHasAnyCount) {
+    const Allowed codes = Allowed::numbers(0, 0.0, 1000.0);
+    const auto said = [&](const Json& value) {
+        return thrown_text<UsageError>([&] { expect_allowed(value, codes, "m", "no_return"); });
+    };
+    EXPECT_EQ(said(Json::array()), "");
+    EXPECT_EQ(said({5.0}), "");
+    EXPECT_EQ(said({5.0, 81.91, 0}), "");
+    EXPECT_EQ(said({-1}), "no_return: expected a list of numbers m, each from 0 to 1000, not [-1]");
+}
+
 }  // namespace
 }  // namespace ddtool

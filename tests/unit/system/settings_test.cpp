@@ -55,6 +55,7 @@ TEST(Settings, TextIsTakenAsItIs) {
 
 TEST(Settings, ListMayLeaveOutItsBrackets) {
     EXPECT_EQ(with("laser_pose=0.1,-2,3"), with("laser_pose=[0.1,-2,3]"));
+    EXPECT_EQ(with("laser_pose=0.1"), with("laser_pose=[0.1]"));
     EXPECT_THAT(refusal("laser_pose=[1,\"a\"]"), HasSubstr("'laser_pose'"));
 }
 

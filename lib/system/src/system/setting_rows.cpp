@@ -59,7 +59,7 @@ bool is_allowed(const Json& value, const Allowed& allowed) {
         case Allowed::Kind::flag:
             return value.is_boolean();
         case Allowed::Kind::numbers:
-            return value.is_array() && (value.empty() || value.size() == allowed.count) &&
+            return value.is_array() && (value.empty() || allowed.count == 0 || value.size() == allowed.count) &&
                    std::all_of(value.begin(), value.end(), [&](const Json& each) { return in_range(each, allowed); });
         case Allowed::Kind::other:
             return true;
@@ -88,8 +88,10 @@ std::string allowed_text(const Allowed& allowed, const std::string& unit) {
         case Allowed::Kind::flag:
             return "true or false";
         case Allowed::Kind::numbers:
-            return "an empty list or " + with_unit(std::to_string(allowed.count) + " numbers", unit) + ", each " +
-                   range_text(allowed);
+            return allowed.count == 0
+                       ? with_unit("a list of numbers", unit) + ", each " + range_text(allowed)
+                       : "an empty list or " + with_unit(std::to_string(allowed.count) + " numbers", unit) + ", each " +
+                             range_text(allowed);
         case Allowed::Kind::other:
             break;
     }

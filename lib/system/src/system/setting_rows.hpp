@@ -19,7 +19,7 @@ struct Allowed {
         word,     ///< one of `words`
         text,     ///< any text
         flag,     ///< true or false
-        numbers,  ///< a list: empty, or `count` numbers, each from least to most
+        numbers,  ///< a list: empty, or `count` numbers (any count where it is 0), each from least to most
         other,    ///< described only by the setting's sentence; the code that reads it checks it
     };
     Kind kind = Kind::other;

@@ -120,7 +120,8 @@ Json parse_value(const Json* known, const std::string& text) {
         return text;
     }
     Json value = Json::parse(text, nullptr, false);
-    if (value.is_discarded() && known != nullptr && known->is_array()) {
+    const bool is_list = known != nullptr && known->is_array();
+    if (is_list && (value.is_discarded() || value.is_number())) {
         value = Json::parse("[" + text + "]", nullptr, false);
     }
     return value.is_discarded() ? Json(text) : value;

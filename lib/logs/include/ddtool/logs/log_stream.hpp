@@ -20,6 +20,9 @@ struct LogOptions {
     std::string odom_topic;           ///< Odometry or tf messages
     std::string ground_truth_topic;   ///< Odometry or PoseStamped messages
     std::optional<Pose2> laser_pose;  ///< robot_from_laser, instead of the log's own
+    /// The readings that mean no return, in metres, instead of those that are found; 0 alone: there are none.
+    std::vector<double> no_return_m;
+    double range_max_m = 0.0;  ///< instead of the log's own; 0: the log's own
 };
 
 /// What has been found in a log so far; it is complete when the stream has ended.

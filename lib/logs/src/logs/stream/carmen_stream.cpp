@@ -6,7 +6,6 @@
 
 #include "base/text.hpp"
 #include "ddtool/base/error.hpp"
-#include "logs/stream/no_return.hpp"
 
 namespace ddtool {
 namespace {
@@ -61,19 +60,19 @@ std::optional<SensorFrame> CarmenStream::next() {
 }
 
 void CarmenStream::read_ahead() {
-    std::vector<float> ranges_m;
+    RangePiles piles;
     while (ahead_.size() < scans_read_ahead) {
         std::optional<SensorFrame> frame = read_frame();
         if (!frame) {
             break;
         }
-        ranges_m.insert(ranges_m.end(), frame->scan.ranges_m.begin(), frame->scan.ranges_m.end());
+        piles.add(frame->scan);
         ahead_.push_back(std::move(*frame));
     }
     if (ahead_.empty()) {
         fail_without_scans();
     }
-    no_return_code_ = find_no_return_code(std::move(ranges_m));
+    no_returns_ = options_.no_return_m.empty() ? piles.find(true) : named_no_returns(options_.no_return_m);
     note_assumptions();
 }
 
@@ -81,6 +80,11 @@ void CarmenStream::note_assumptions() {
     if (summary_.scan_topic == flaser && !mounting_ && !options_.laser_pose) {
         summary_.assumptions.push_back(
             file_ + ": no PARAM robot_frontlaser_offset; the laser is taken to be at the robot's origin");
+    }
+    if (options_.no_return_m.empty()) {
+        for (const std::string& line : no_returns_.lines()) {
+            summary_.assumptions.push_back(file_ + ": " + line);
+        }
     }
 }
 
@@ -168,10 +172,12 @@ void CarmenStream::set_no_returns(LaserScan& scan) const {
             limit_m = std::min(limit_m, stated_m);
         }
     }
-    if (no_return_code_) {
-        limit_m = std::min(limit_m, static_cast<double>(*no_return_code_));
+    if (options_.range_max_m > 0.0) {
+        limit_m = options_.range_max_m;
     }
     scan.range_max_m = limit_m;
+    no_returns_.apply(scan);
+    limit_m = scan.range_max_m;
     for (float& range : scan.ranges_m) {
         if (static_cast<double>(range) >= limit_m) {
             range = LaserScan::no_return;

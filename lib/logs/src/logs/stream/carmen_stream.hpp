@@ -10,14 +10,15 @@
 #include "ddtool/logs/log_stream.hpp"
 #include "logs/containers/line_reader.hpp"
 #include "logs/messages/carmen_message.hpp"
+#include "logs/stream/no_return.hpp"
 
 namespace ddtool {
 
 /// The frames of a CARMEN log: its FLASER or ROBOTLASER1 lines, whichever comes first, with the odometry in each line.
 /// A reading means no return if it is at least as large as the smallest of these: the maximum range that the log states
-/// (in ROBOTLASER1, or as PARAM robot_front_laser_max), the code for a missing return that was found in the first
-/// scans, and 80 m, the reach of the SICK lasers of these logs (whose codes are 81.83 to 81.91). To find the code, the
-/// first scans are read before the first frame is returned.
+/// (in ROBOTLASER1, or as PARAM robot_front_laser_max), the least code for a missing return that was found in
+/// the first scans, and 80 m, the reach of the SICK lasers of these logs (whose codes are 81.83 to 81.91). To find the
+/// codes, the first scans are read before the first frame is returned.
 class CarmenStream : public LogStream {
 public:
     static constexpr std::size_t scans_read_ahead = 1000;
@@ -45,7 +46,7 @@ private:
     bool started_ = false;
     std::optional<Pose2> mounting_;      ///< PARAM robot_frontlaser_*
     std::optional<double> range_max_m_;  ///< PARAM robot_front_laser_max
-    std::optional<float> no_return_code_;
+    NoReturns no_returns_;
     std::string other_scan_name_;  ///< seen, but not the one in use
 };
 

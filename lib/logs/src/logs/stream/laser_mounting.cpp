@@ -19,7 +19,10 @@ double largest_reading_m(const LaserScan& scan) {
 }
 
 /// Completes the limits of the range. Foxglove's messages have none, and some drivers leave them out.
-void complete_limits(LaserScan& scan) {
+void complete_limits(LaserScan& scan, const RangeRules& rules) {
+    if (rules.range_max_m > 0.0) {
+        scan.range_max_m = rules.range_max_m;
+    }
     if (!(scan.range_min_m >= 0.0)) {
         scan.range_min_m = 0.0;
     }
@@ -48,7 +51,7 @@ std::optional<std::string> find_fault(const LaserScan& scan) {
 }  // namespace
 
 std::optional<std::string> place_scan(ScanReading reading, const Eigen::Isometry3d& robot_from_laser,
-                                      SensorFrame& frame) {
+                                      const RangeRules& rules, SensorFrame& frame) {
     LaserScan& scan = reading.scan;
     if (std::optional<std::string> fault = find_fault(scan)) {
         return fault;
@@ -58,7 +61,8 @@ std::optional<std::string> place_scan(ScanReading reading, const Eigen::Isometry
     if (upside_down) {
         mirror(scan);
     }
-    complete_limits(scan);
+    complete_limits(scan, rules);
+    rules.no_returns.apply(scan);
     normalise_ranges(scan);
     frame.robot_from_laser = to_pose2(robot_from_scan);
     frame.scan = std::move(scan);

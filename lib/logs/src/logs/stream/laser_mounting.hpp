@@ -6,13 +6,20 @@
 
 #include "ddtool/robot/sensor_stream.hpp"
 #include "logs/messages/readings.hpp"
+#include "logs/stream/no_return.hpp"
 
 namespace ddtool {
+
+/// What the readings of a log mean.
+struct RangeRules {
+    NoReturns no_returns;
+    double range_max_m = 0.0;  ///< instead of what the scans state; 0: what they state
+};
 
 /// Puts a logged scan into a frame in the form that SensorFrame requires: in the plane, with normalised ranges. The
 /// scan of a lidar that is mounted upside down is mirrored. Returns nullopt if all is well, and otherwise why the scan
 /// cannot be used, for example because an angle is not finite.
 std::optional<std::string> place_scan(ScanReading reading, const Eigen::Isometry3d& robot_from_laser,
-                                      SensorFrame& frame);
+                                      const RangeRules& rules, SensorFrame& frame);
 
 }  // namespace ddtool

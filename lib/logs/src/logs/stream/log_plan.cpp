@@ -48,6 +48,7 @@ public:
         choose_ground_truth();
         choose_odometry();
         find_mounting();
+        find_no_returns();
         plan_.has_information = survey_.has_information;
         return plan_;
     }
@@ -194,6 +195,18 @@ private:
                    "' is taken as the robot");
         }
         return survey_.transforms.find(robot, scan_.frame_id).value_or(Eigen::Isometry3d::Identity());
+    }
+
+    void find_no_returns() {
+        plan_.ranges.range_max_m = options_.range_max_m;
+        if (!options_.no_return_m.empty()) {
+            plan_.ranges.no_returns = named_no_returns(options_.no_return_m);
+            return;
+        }
+        plan_.ranges.no_returns = scan_.piles.find(false);
+        for (const std::string& line : plan_.ranges.no_returns.lines()) {
+            assume(line);
+        }
     }
 
     const LogSurvey& survey_;

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "logs/stream/laser_mounting.hpp"
 #include "logs/stream/log_survey.hpp"
 
 namespace ddtool {
@@ -18,6 +19,7 @@ struct LogPlan {
     std::string odom_frame;
     std::string robot_frame;
     Eigen::Isometry3d robot_from_laser = Eigen::Isometry3d::Identity();
+    RangeRules ranges;
     std::vector<std::string> assumptions;
 };
 

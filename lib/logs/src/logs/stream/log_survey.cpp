@@ -18,13 +18,16 @@ public:
         extent_ns_ = static_cast<double>(message.log_time_ns) - static_cast<double>(*first_ns_);
         has_information_ = has_information_ || is_information(*message.channel);
         const MessageKind kind = kind_of(*message.channel);
-        const auto [entry, is_new] = topics_.try_emplace(
-            message.channel->topic, TopicSurvey{message.channel->topic, message.channel->schema.name, kind, "", ""});
+        const auto [entry, is_new] =
+            topics_.try_emplace(message.channel->topic,
+                                TopicSurvey{message.channel->topic, message.channel->schema.name, kind, "", "", {}});
         if (is_new) {
             note_frames(message, entry->second);
         }
         if (kind == MessageKind::transforms) {
             note_transforms(message);
+        } else if (kind == MessageKind::scan) {
+            note_scan(message, entry->second);
         }
     }
 
@@ -58,6 +61,11 @@ private:
             topic.child_frame_id = poses ? poses->front().child_frame_id : "";
         }
     }
+    static void note_scan(const McapMessage& message, TopicSurvey& topic) {
+        if (const std::optional<ScanReading> reading = decode_scan(message)) {
+            topic.piles.add(reading->scan);
+        }
+    }
     void note_transforms(const McapMessage& message) {
         for (const PoseReading& transform : decode_poses(message).value_or(std::vector<PoseReading>{})) {
             transforms_.set(transform);
@@ -74,9 +82,9 @@ private:
 
 }  // namespace
 
-LogSurvey survey_log(MessageSource& source, const LogOptions& options) {
+LogSurvey survey_log(MessageSource& source, SurveyExtent extent, const LogOptions& options) {
     Surveyor surveyor(options);
-    while (!surveyor.complete()) {
+    while (extent == SurveyExtent::whole || !surveyor.complete()) {
         const std::optional<McapMessage> message = source.next();
         if (!message) {
             break;

@@ -34,13 +34,13 @@ MessageLogStream::MessageLogStream(const OpenSource& open, Opening opening, std:
 
 void MessageLogStream::survey(const OpenSource& open, const LogOptions& options) {
     const auto survey_source = open([](const LogProblem&) {});  // problems are reported at the second reading
-    plan_ = plan_log(survey_log(*survey_source, options), options, file_);
+    plan_ = plan_log(survey_log(*survey_source, SurveyExtent::whole, options), options, file_);
     source_ = open([this](const LogProblem& problem) { report(problem); });
 }
 
 void MessageLogStream::survey_once(const OpenSource& open, const LogOptions& options) {
     auto source = std::make_unique<KeptMessages>(open([this](const LogProblem& problem) { report(problem); }));
-    plan_ = plan_log(survey_log(*source, options), options, file_);
+    plan_ = plan_log(survey_log(*source, SurveyExtent::beginning, options), options, file_);
     source->rewind();
     source_ = std::move(source);
 }
@@ -87,7 +87,7 @@ void MessageLogStream::take_scan(const McapMessage& message) {
         return;
     }
     WaitingScan scan;
-    if (const auto fault = place_scan(std::move(*reading), plan_.robot_from_laser, scan.frame)) {
+    if (const auto fault = place_scan(std::move(*reading), plan_.robot_from_laser, plan_.ranges, scan.frame)) {
         report_message(message, *fault);
         return;
     }

@@ -15,8 +15,9 @@
 
 namespace ddtool {
 
-/// The frames of a log that consists of messages. The beginning of the log is read twice, first to choose the topics
-/// and then for the frames; if the log can be opened only once, the beginning is kept in memory meanwhile. A scan waits
+/// The frames of a log that consists of messages. The log is read twice, first to choose the topics and to learn what
+/// its readings mean, and then for the frames. If the log can be opened only once, this is done with its beginning,
+/// which is kept in memory meanwhile. A scan waits
 /// until an odometry message (and a ground truth message) after it in the file reaches its stamp, and then gets the
 /// interpolated pose. If no interval contains its stamp (at the ends of the log, and in gaps), it gets the nearest
 /// odometry, and no ground truth.
@@ -32,7 +33,7 @@ public:
 
     enum class Opening { twice, once };
 
-    /// Surveys the beginning of the log immediately.
+    /// Surveys the log immediately.
     /// \param open opens the log; it is called twice, or once with Opening::once
     /// \param format, file name the log in the summary and in messages
     /// Throws as plan_log() does.
