@@ -16,6 +16,7 @@ namespace ddtool {
 
 /// Which messages of a log to use. What is not set is found by type (docs/formats/logs.md).
 struct LogOptions {
+    std::string robot;                ///< of several, the one with this name before its topics or frames
     std::string scan_topic;           ///< in a CARMEN log the message name, FLASER or ROBOTLASER1
     std::string odom_topic;           ///< Odometry or tf messages
     std::string ground_truth_topic;   ///< Odometry or PoseStamped messages

@@ -61,6 +61,10 @@ private:
     void take_odometry(const McapMessage& message);
     void take_ground_truth(const McapMessage& message);
     void take_information(const McapMessage& message);
+    /// Reports the message if not.
+    bool has_rotation(const PoseReading& reading, const McapMessage& message);
+    /// Null if the frame has no known place on the robot.
+    [[nodiscard]] const Eigen::Isometry3d* mounting_of(const std::string& frame_id) const;
     [[nodiscard]] bool is_odometry(const PoseReading& reading) const;
     [[nodiscard]] bool first_is_ready() const;
     SensorFrame release_first();
