@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numbers>
 
@@ -421,6 +422,82 @@ TEST_F(Log, OdometryWithoutRotationIsSkippedAndCounted) {
     EXPECT_NEAR(read().at(0).odom_from_robot.x_m, 1.5, 1e-9);
     EXPECT_EQ(stream_->summary().problems, 2U);
     EXPECT_THAT(problems_, testing::Each(HasSubstr("a pose whose rotation is 0,0,0,0")));
+}
+
+/// Scans of a robot that moves, in odometry at 10 Hz that is as it is given.
+class Driven : public Log {
+protected:
+    void drive(const std::function<double(double)>& x_at, double odometry_ahead_s = 0.0,
+               const std::string& odom = "/odom") {
+        transform("base", "laser", Pose2{});
+        for (int i = 10; i < 100; ++i) {
+            const double t = 0.1 * i;
+            ros::LaserScan message = scan_message(t);
+            message.ranges = {static_cast<float>(t), 9.0F - static_cast<float>(t) / 2.0F, 3.0F, 4.0F};
+            log_.add("/scan", at(t), message);
+            const std::int64_t stamp_ns = at(t + odometry_ahead_s);
+            log_.add(odom, at(t), ros::odometry_message(stamp_ns, "odom", "base", {x_at(t), 0.0, 0.0}));
+        }
+    }
+};
+
+TEST_F(Driven, OdometryThatNeverMovesIsNotBelieved) {
+    drive([](double) { return 3.0; });
+    const auto frames = read();
+    EXPECT_FALSE(stream_->summary().has_odometry);
+    EXPECT_EQ(frames.at(5).odom_from_robot, Pose2{});
+    EXPECT_THAT(problems_, ElementsAre(HasSubstr("the odometry /odom is not used: it never moves")));
+    EXPECT_THAT(stream_->summary().first_problems, testing::ElementsAreArray(problems_));
+}
+
+TEST_F(Driven, OtherOdometryIsUsedInItsPlace) {
+    drive([](double) { return 3.0; });
+    for (int i = 10; i < 100; ++i) {
+        transform("odom", "base", Pose2{0.01 * i, 0.0, 0.0}, 0.1 * i, "/tf");
+    }
+    EXPECT_NEAR(read().at(40).odom_from_robot.x_m, 0.5, 1e-9);
+    EXPECT_EQ(stream_->summary().odom_topic, "/tf");
+    EXPECT_EQ(problems_.size(), 1U);
+}
+
+TEST_F(Driven, TheOdometryCanBeLeftOut) {
+    drive([](double t) { return t; });
+    LogOptions options;
+    options.with_odometry = false;
+    EXPECT_EQ(read(options).at(5).odom_from_robot, Pose2{});
+    EXPECT_FALSE(stream_->summary().has_odometry);
+    EXPECT_THAT(stream_->summary().assumptions, ElementsAre(HasSubstr("as was asked for")));
+    EXPECT_TRUE(problems_.empty());
+}
+
+TEST_F(Driven, OdometryThatStartsAgainAtZeroGoesOn) {
+    drive([](double t) { return 0.5 * (t < 5.0 ? t : t - 5.0); });
+    const auto frames = read();
+    EXPECT_NEAR(frames.at(30).odom_from_robot.x_m, 2.0, 1e-6);
+    EXPECT_NEAR(frames.at(80).odom_from_robot.x_m, 4.45, 1e-6);
+    EXPECT_THAT(problems_, ElementsAre(HasSubstr("/odom jumps by 2.45 m and 0.00 rad in 0.10 s, to its origin")));
+}
+
+TEST_F(Driven, AnotherClockIsFoundByTheTimesOfRecordingAndTakenOff) {
+    for (const double ahead_s : {4.3, -97200.0}) {
+        log_ = {};
+        drive([](double t) { return t; }, ahead_s);
+        EXPECT_NEAR(read().at(40).odom_from_robot.x_m, 5.0, 1e-6);
+        EXPECT_TRUE(problems_.empty());
+        EXPECT_THAT(stream_->summary().assumptions,
+                    ElementsAre(HasSubstr("that of the scans, as the times of recording")));
+    }
+}
+
+TEST_F(Driven, OdometryOfAnotherTimeIsNotUsed) {
+    drive([](double t) { return t; }, 0.0, "/other");
+    for (int i = 0; i < 90; ++i) {
+        log_.add("/odom", at(5000.0 + 0.1 * i),
+                 ros::odometry_message(at(5000.0 + 0.2 * i), "odom", "base", {0.1 * i, 0.0, 0.0}));
+    }
+    read(test::topics("", "/odom"));
+    EXPECT_FALSE(stream_->summary().has_odometry);
+    EXPECT_THAT(problems_, ElementsAre(HasSubstr("share no moment")));
 }
 
 TEST_F(Log, AMissThatReadsTheMaximumRangeIsNoReturnUnlessToldOtherwise) {

@@ -1,10 +1,12 @@
 #include "logs/stream/log_plan.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <set>
 #include <utility>
 
+#include "base/text.hpp"
 #include "ddtool/base/error.hpp"
 #include "ddtool/system/settings.hpp"
 #include "logs/stream/topic_names.hpp"
@@ -13,6 +15,9 @@ namespace ddtool {
 namespace {
 
 using Topics = std::vector<TopicSurvey>;
+
+/// Between what was measured and what was recorded there is always some delay, of the lidar's turn and more.
+constexpr double least_clock_offset_s = 0.5;
 
 template <typename Condition>
 Topics topics_where(const LogSurvey& survey, Condition condition) {
@@ -184,6 +189,10 @@ private:
     }
 
     void choose_odometry() {
+        if (!options_.with_odometry) {
+            assume("the odometry of the log is left out, as was asked for");
+            return;
+        }
         if (!options_.odom_topic.empty()) {
             const Topics usable = topics_where(survey_, [](const TopicSurvey& topic) {
                 return topic.kind != MessageKind::scan && topic.kind != MessageKind::other;
@@ -255,6 +264,22 @@ private:
                              " poses is 0,0,0,0 or no number"
                        : "none of its messages can be read"));
             return false;
+        }
+        if (!track.moves() && scan_.change.moves()) {
+            blame("the odometry " + name + " is not used: it never moves, although the scans do");
+            return false;
+        }
+        const double ahead_s = ClockLag::offset_s(scan_.clock, track.clock()).value_or(0.0);
+        const bool is_another_clock = std::abs(ahead_s) > least_clock_offset_s;
+        if (!ClockLag::overlap(track.clock(), scan_.clock, is_another_clock ? -ahead_s : 0.0) && track.usable() > 1) {
+            blame("the odometry " + name + " is not used: its stamps share no moment with those of the scans");
+            return false;
+        }
+        if (is_another_clock) {
+            plan_.odom_clock_offset_ns = std::llround(-1e9 * ahead_s);
+            assume("the clock of the odometry " + name + " is " + fixed_text(std::abs(ahead_s), 3) + " s " +
+                   (ahead_s > 0.0 ? "ahead of" : "behind") +
+                   " that of the scans, as the times of recording show; this is taken off its stamps");
         }
         return true;
     }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
@@ -20,6 +21,8 @@ struct LogPlan {
     /// If the odometry comes from transforms: the frames between which the transform is taken.
     std::string odom_frame;
     std::string robot_frame;
+    /// What is added to the stamps of the odometry, because its clock is not that of the scans.
+    std::int64_t odom_clock_offset_ns = 0;
     /// Where the lasers are on the robot, by the frame of their scans.
     std::map<std::string, Eigen::Isometry3d> robot_from_laser;
     /// For scans in frames without an entry there; empty: such scans cannot be used.

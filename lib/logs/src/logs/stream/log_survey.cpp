@@ -63,6 +63,8 @@ private:
             return;
         }
         topic.piles.add(reading->scan);
+        topic.change.add(reading->scan);
+        topic.clock.add(reading->scan.stamp_ns, message.log_time_ns);
         std::vector<std::string>& frames = topic.scan_frames;
         if (frames.size() < TopicSurvey::max_frames && std::ranges::count(frames, reading->frame_id) == 0) {
             frames.push_back(reading->frame_id);
@@ -73,11 +75,12 @@ private:
             const FramePair frames{reading.frame_id, reading.child_frame_id};
             if (topic.kind != MessageKind::transforms) {
                 // One track for the topic, whose messages may name the frames differently.
-                (topic.tracks.empty() ? topic.tracks[frames] : topic.tracks.begin()->second).add(reading);
+                (topic.tracks.empty() ? topic.tracks[frames] : topic.tracks.begin()->second)
+                    .add(reading, message.log_time_ns);
                 continue;
             }
             if (topic.tracks.size() < TopicSurvey::max_frames || topic.tracks.contains(frames)) {
-                topic.tracks[frames].add(reading);
+                topic.tracks[frames].add(reading, message.log_time_ns);
             }
             transforms_[transform_namespace(topic.topic)].set(reading);
         }

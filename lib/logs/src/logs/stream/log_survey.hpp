@@ -10,6 +10,7 @@
 #include "logs/containers/message_source.hpp"
 #include "logs/messages/message_decoder.hpp"
 #include "logs/stream/no_return.hpp"
+#include "logs/stream/scan_change.hpp"
 #include "logs/stream/track_survey.hpp"
 #include "logs/stream/transform_tree.hpp"
 
@@ -26,6 +27,8 @@ struct TopicSurvey {
     MessageKind kind = MessageKind::other;
     std::vector<std::string> scan_frames;     ///< of scans, in the order in which they are first named
     RangePiles piles;                         ///< of all scans
+    ScanChange change;                        ///< of all scans
+    ClockLag clock;                           ///< of all scans
     std::map<FramePair, TrackSurvey> tracks;  ///< of odometry, poses and transforms
 };
 

@@ -14,6 +14,11 @@ double seconds_between(std::int64_t a_ns, std::int64_t b_ns) {
     return std::abs(static_cast<double>(a_ns) - static_cast<double>(b_ns)) * 1e-9;
 }
 
+/// Computed without signs, because the stamps of a damaged log may be at the ends of what a signed number can hold.
+std::int64_t moved(std::int64_t stamp_ns, std::int64_t by_ns) {
+    return static_cast<std::int64_t>(static_cast<std::uint64_t>(stamp_ns) + static_cast<std::uint64_t>(by_ns));
+}
+
 }  // namespace
 
 MessageLogStream::MessageLogStream(const OpenSource& open, Opening opening, std::string format, std::string file,
@@ -116,9 +121,16 @@ void MessageLogStream::take_odometry(const McapMessage& message) {
     for (const PoseReading& reading : *readings) {
         if (is_odometry(reading) && has_rotation(reading, message)) {
             ++summary_.odometry;
-            odometry_.add({reading.stamp_ns, ros::to_pose2(reading.frame_from_child)});
+            const std::int64_t stamp_ns = moved(reading.stamp_ns, plan_.odom_clock_offset_ns);
+            const Pose2 odom_from_robot = resets_.follow({stamp_ns, ros::to_pose2(reading.frame_from_child)});
+            if (const auto& jump = resets_.last_jump()) {
+                report({file_ + ": the odometry " + plan_.odom_topic + " " + OdometryResets::text(*jump) + " (near " +
+                            message.offset_unit + " " + std::to_string(message.file_offset) + ")",
+                        message.file_offset});
+            }
+            odometry_.add({stamp_ns, odom_from_robot});
             for (WaitingScan& scan : waiting_) {
-                scan.has_odometry = scan.has_odometry || scan.frame.scan.stamp_ns <= reading.stamp_ns;
+                scan.has_odometry = scan.has_odometry || scan.frame.scan.stamp_ns <= stamp_ns;
             }
         }
     }

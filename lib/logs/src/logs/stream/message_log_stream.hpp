@@ -11,6 +11,7 @@
 #include "ddtool/robot/scan_truth.hpp"
 #include "logs/containers/message_source.hpp"
 #include "logs/stream/log_plan.hpp"
+#include "logs/stream/odometry_resets.hpp"
 #include "logs/stream/pose_track.hpp"
 
 namespace ddtool {
@@ -75,6 +76,7 @@ private:
     LogPlan plan_;
     std::unique_ptr<MessageSource> source_;
     std::deque<WaitingScan> waiting_;
+    OdometryResets resets_;
     PoseTrack odometry_;
     PoseTrack ground_truth_;
     std::shared_ptr<ScanTruth> truth_;

@@ -13,12 +13,13 @@ constexpr double moved_rad = 0.02;
 
 }  // namespace
 
-void TrackSurvey::add(const PoseReading& reading) {
+void TrackSurvey::add(const PoseReading& reading, std::int64_t recorded_ns) {
     if (!reading.has_rotation) {
         ++without_rotation_;
         return;
     }
     ++usable_;
+    clock_.add(reading.stamp_ns, recorded_ns);
     first_ = first_.value_or(reading.frame_from_child);
     const Pose2 moved = ros::to_pose2(first_->inverse() * reading.frame_from_child);
     moves_ = moves_ || std::hypot(moved.x_m, moved.y_m) > moved_m || std::abs(moved.theta_rad) > moved_rad;
