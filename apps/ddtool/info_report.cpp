@@ -73,7 +73,6 @@ std::string beams_text(const LogUse& use) {
 }
 
 std::string use_text(const LogUse& use) {
-    const Pose2& laser = use.robot_from_laser;
     std::string text = "scans     " + std::to_string(use.summary.scans) + " of " + beams_text(use) + " beams over " +
                        fixed(degrees_per_rad * use.field_of_view_rad, 1) + " deg, up to " + fixed(use.range_max_m, 1) +
                        " m, " + fixed(scans_hz(use), 1) + " Hz; longest gap " + fixed(use.longest_gap_s, 2) + " s; " +
@@ -88,8 +87,11 @@ std::string use_text(const LogUse& use) {
     if (use.with_ground_truth > 0) {
         text += "truth     for " + std::to_string(use.with_ground_truth) + " scans\n";
     }
-    return text + "laser     x " + fixed(laser.x_m, 3) + " m, y " + fixed(laser.y_m, 3) + " m, yaw " +
-           fixed(degrees_per_rad * laser.theta_rad, 1) + " deg on the robot\n";
+    for (const Pose2& laser : use.robot_from_lasers) {
+        text += "laser     x " + fixed(laser.x_m, 3) + " m, y " + fixed(laser.y_m, 3) + " m, yaw " +
+                fixed(degrees_per_rad * laser.theta_rad, 1) + " deg on the robot\n";
+    }
+    return text;
 }
 
 /// The assumptions that were made because the log lacks something, without the name of the file in front.
@@ -145,7 +147,7 @@ Json use_json(const std::string& file, const LogUse& use) {
             {"returns", use.returns},
             {"odometry_m", use.odometry_m},
             {"with_ground_truth", use.with_ground_truth},
-            {"robot_from_laser", use.robot_from_laser},
+            {"robot_from_lasers", use.robot_from_lasers},
             {"assumptions", assumptions(file, use)}};
 }
 

@@ -24,10 +24,26 @@ SettingRow<LogOptions> laser_pose_row() {
             }};
 }
 
+SettingRow<LogOptions> odometry_row() {
+    return {{"odometry",
+             Allowed::one_of({"log", "none"}),
+             "",
+             "none: leave out the odometry of the log and work out the motion from the scans.",
+             "docs/formats/logs.md",
+             {}},
+            [](Json& json, const LogOptions& options) { json["odometry"] = options.with_odometry ? "log" : "none"; },
+            [](const Json& json, LogOptions& options) { options.with_odometry = json.at("odometry") != "none"; }};
+}
+
 const SettingTable<LogOptions>& log_rows() {
     static const SettingTable<LogOptions> rows{
+        {"robot", &LogOptions::robot, Allowed::text(), "",
+         "Which of several robots to use: the name before its topics or frames; empty for the one whose scans are "
+         "used.",
+         "docs/formats/logs.md"},
         {"scan_topic", &LogOptions::scan_topic, Allowed::text(), "",
          "Topic of the laser scans to use; found by type where it is empty.", "docs/formats/logs.md"},
+        odometry_row(),
         {"odom_topic", &LogOptions::odom_topic, Allowed::text(), "",
          "Topic of the odometry or transforms to use; found by type where it is empty.", "docs/formats/logs.md"},
         {"ground_truth_topic", &LogOptions::ground_truth_topic, Allowed::text(), "",
@@ -50,7 +66,10 @@ const std::vector<Setting>& log_setting_list() { return log_rows().settings(); }
 void append_log_options(std::vector<Option>& options) {
     options.insert(
         options.end(),
-        {{"--scan-topic", SettingPath{"log.scan_topic"}, "Laser scans to use; found by type where not given"},
+        {{"--robot", SettingPath{"log.robot"}, "Of several robots, the one with this name before its topics or frames"},
+         {"--scan-topic", SettingPath{"log.scan_topic"}, "Laser scans to use; found by type where not given"},
+         {"--odometry", SettingPath{"log.odometry"},
+          "none: leave out the log's odometry and work out the motion from the scans", "log|none"},
          {"--odom-topic", SettingPath{"log.odom_topic"},
           "Odometry or transforms to use; found by type where not given"},
          {"--ground-truth-topic", SettingPath{"log.ground_truth_topic"}, "True poses; found by name where not given"},

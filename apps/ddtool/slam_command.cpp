@@ -76,8 +76,8 @@ std::vector<std::string> shortfalls(const std::string& file, const LogSummary& l
                         std::to_string(run.trajectory.size()));
     }
     if (!log.has_odometry) {
-        lines.push_back(file +
-                        ": no odometry: the motion was worked out from the scans, which fails where they look alike");
+        lines.push_back(
+            file + ": without odometry the motion was worked out from the scans, which fails where they look alike");
     }
     return lines;
 }

@@ -15,6 +15,7 @@ Json log_report(const std::string& file, const LogSummary& log) {
             {"ground_truth", log.ground_truth},
             {"problems", log.problems},
             {"bytes_lost", log.bytes_lost},
+            {"damage", log.first_problems},
             {"assumptions", log.assumptions}};
 }
 

@@ -95,6 +95,38 @@ TEST_F(CarmenLog, TheReadingsThatMeanNoReturnAreSaidAndCanBeGiven) {
               (std::vector<float>{1.0F, LaserScan::no_return, LaserScan::no_return}));
 }
 
+std::string moving(int i, double x) {
+    const std::string range = std::to_string(1.0 + 0.1 * i);
+    return flaser(range + " " + range + " 3", x, std::to_string(i) + ".0");
+}
+
+TEST_F(CarmenLog, OdometryThatNeverMovesIsNotBelieved) {
+    std::string text = offset_param;
+    for (int i = 0; i < 20; ++i) {
+        text += moving(i, 5.0);
+    }
+    const auto stream = open(text);
+    EXPECT_FALSE(stream->summary().has_odometry);
+    EXPECT_EQ(read(*stream)[3].odom_from_robot, Pose2{});
+    ASSERT_EQ(problems_.size(), 1U);
+    EXPECT_NE(problems_[0].what.find("it never moves"), std::string::npos);
+}
+
+TEST_F(CarmenLog, OdometryThatStartsAgainAtZeroGoesOnAndCanBeLeftOut) {
+    std::string text = offset_param;
+    for (int i = 0; i < 60; ++i) {
+        text += moving(i, 0.1 * (i < 40 ? i : i - 40));
+    }
+    EXPECT_NEAR(read(text)[50].odom_from_robot.x_m, 4.9, 1e-6);
+    ASSERT_EQ(problems_.size(), 1U);
+    EXPECT_NE(problems_[0].what.find(":42: the odometry jumps by 3.90 m"), std::string::npos);
+    LogOptions options;
+    options.with_odometry = false;
+    const auto stream = open(text, options);
+    EXPECT_FALSE(stream->summary().has_odometry);
+    EXPECT_EQ(read(*stream)[50].odom_from_robot, Pose2{});
+}
+
 TEST_F(CarmenLog, WithoutAnOffsetTheLaserIsAssumedAtTheOrigin) {
     const auto stream = open(flaser("1 2 3", 0.0, "1.0"));
     EXPECT_EQ(stream->next()->robot_from_laser, Pose2{});

@@ -69,6 +69,27 @@ TEST(FrameWriter, WhatItWritesIsReadBackAsTheSameFrames) {
     EXPECT_EQ(stream->summary().ground_truth, 4U);
 }
 
+TEST(FrameWriter, LidarsThatAreMountedElsewhereStayApart) {
+    const test::TemporaryFolder folder;
+    const std::vector<Pose2> mountings{{0.3, 0.0, 0.0}, {-0.2, 0.1, 3.0}};
+    {
+        FrameWriter writer(folder / "log.mcap");
+        for (std::size_t number = 0; number < 5; ++number) {
+            SensorFrame frame = some_frame(static_cast<int>(number));
+            frame.robot_from_laser = mountings[number % 2];
+            frame.robot_from_laser.x_m += 1e-6 * static_cast<double>(number);
+            writer.write(frame);
+        }
+        writer.close();
+    }
+    const auto stream = open_log(folder / "log.mcap", {}, [](const LogProblem& problem) { FAIL() << problem.what; });
+    for (std::size_t number = 0; number < 5; ++number) {
+        const Pose2 read = stream->next().value().robot_from_laser;
+        EXPECT_NEAR(distance_m(read, mountings[number % 2]), 0.0, 1e-3);
+        EXPECT_NEAR(read.theta_rad, mountings[number % 2].theta_rad, 1e-3);
+    }
+}
+
 TEST(FrameWriter, LogTimesNeverStepBack) {
     const test::TemporaryFolder folder;
     write_log(folder / "log.mcap");

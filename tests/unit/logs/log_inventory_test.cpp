@@ -87,7 +87,7 @@ TEST_F(Inventory, UseIsWhatTheFramesAre) {
     EXPECT_NEAR(use.longest_gap_s, 0.1, 1e-9);
     EXPECT_EQ(use.stamps_back, 0U);
     EXPECT_NEAR(use.odometry_m, 0.8, 0.05);
-    EXPECT_EQ(use.robot_from_laser.x_m, 0.2);
+    EXPECT_EQ(use.robot_from_lasers.at(0).x_m, 0.2);
     EXPECT_EQ(use.with_ground_truth, 0U);
 }
 

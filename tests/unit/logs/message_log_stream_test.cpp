@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numbers>
 
@@ -41,6 +42,16 @@ protected:
     void transform(const std::string& parent, const std::string& child, const Pose2& pose, double stamp_s = 0.0,
                    const std::string& topic = "/tf_static") {
         log_.add(topic, at(stamp_s), transform_message(at(stamp_s), parent, child, pose));
+    }
+    /// The scans of a robot that drives along x at 1 m/s, with odometry.
+    void drive(const std::string& scans, const std::string& odometry_topic, double speed) {
+        for (int i = 1; i < 20; ++i) {
+            scan_in("laser", i, scans);
+            odometry(i, speed * i, odometry_topic);
+        }
+    }
+    void scan_in(const std::string& frame, double stamp_s, const std::string& topic = "/scan") {
+        log_.add(topic, at(stamp_s), scan_message(stamp_s, frame));
     }
     void transform(const std::string& parent, const std::string& child, const RosPose& pose) {
         RosTFMessage message = transform_message(0, parent, child, {});
@@ -259,6 +270,234 @@ TEST_F(Log, ReadingsAreWhatTheMessageDefinitionSays) {
     EXPECT_THAT((std::vector<float>{ranges[1], ranges[2], ranges[5], ranges[6]}), testing::Each(testing::IsNan()));
     EXPECT_LT(frames[0].scan.angle_increment_rad, 0.0);
     EXPECT_EQ(frames[1].scan.ranges_m.size(), 4U);
+}
+
+TEST_F(Log, EachScanIsPlacedByItsOwnFrame) {
+    transform("base", "front", Pose2{0.3, 0.0, 0.0});
+    transform("base", "rear", Pose2{-0.2, 0.0, 3.0});
+    odometry(1.0, 0.0);
+    scan_in("front", 1.0);
+    scan_in("rear", 1.1);
+    scan_in("/front", 1.2);
+    scan_in("lost", 1.3);
+    const auto frames = read();
+    ASSERT_EQ(frames.size(), 3U) << "a scan that no transform places cannot be used";
+    EXPECT_NEAR(frames[0].robot_from_laser.x_m, 0.3, 1e-9);
+    EXPECT_NEAR(frames[1].robot_from_laser.x_m, -0.2, 1e-9);
+    EXPECT_NEAR(frames[2].robot_from_laser.x_m, 0.3, 1e-9);
+    EXPECT_THAT(stream_->summary().assumptions, ElementsAre(HasSubstr("in 3 frames (front, rear, lost)")));
+    EXPECT_THAT(problems_, ElementsAre(HasSubstr("a scan in the frame 'lost'")));
+}
+
+TEST_F(Log, AGivenLaserPoseIsForAllFrames) {
+    transform("base", "front", Pose2{0.3, 0.0, 0.0});
+    odometry(1.0, 0.0);
+    scan_in("front", 1.0);
+    scan_in("rear", 1.1);
+    const auto frames = read(test::topics("", "", "", Pose2{0.1, 0.0, 0.0}));
+    EXPECT_NEAR(frames.at(0).robot_from_laser.x_m, 0.1, 1e-9);
+    EXPECT_NEAR(frames.at(1).robot_from_laser.x_m, 0.1, 1e-9);
+}
+
+TEST_F(Log, AMountingThatComesLateIsKnownFromTheStart) {
+    for (int t = 1; t < 60; ++t) {
+        odometry(t, 0.0);
+        scan(t);
+    }
+    transform("base", "laser", Pose2{0.3, 0.0, 0.0}, 60.0);
+    EXPECT_NEAR(read().at(0).robot_from_laser.x_m, 0.3, 1e-9);
+    EXPECT_TRUE(stream_->summary().assumptions.empty());
+}
+
+TEST_F(Log, OdometryInTransformsNeedsNoLaserInTheTree) {
+    for (const double t : {1.0, 2.0, 3.0}) {
+        transform("base", "arm", Pose2{0.0, 0.1 * t, 0.0}, t, "/tf");
+        transform("odom", "base", Pose2{t, 0.0, 0.0}, t, "/tf");
+        scan(t);
+    }
+    for (const std::string topic : {"", "/tf"}) {
+        const auto frames = read(test::topics("", topic, "", Pose2{0.2, 0.0, 0.0}));
+        EXPECT_NEAR(frames.at(2).odom_from_robot.x_m, 3.0, 1e-9);
+        EXPECT_NEAR(frames.at(2).robot_from_laser.x_m, 0.2, 1e-9);
+        EXPECT_TRUE(stream_->summary().assumptions.empty());
+        EXPECT_EQ(read(test::topics("", topic)).at(2).robot_from_laser, Pose2{});
+        EXPECT_THAT(stream_->summary().assumptions,
+                    ElementsAre(HasSubstr("no transform from the laser 'laser' to 'base'")));
+    }
+}
+
+TEST_F(Log, TransformsWithoutOdometryAreRefusedWhereTheyAreAskedFor) {
+    transform("base", "arm", Pose2{0.2, 0.0, 0.0});
+    scan(1.0);
+    EXPECT_THAT(failure(test::topics("", "/tf_static")), HasSubstr("'/tf_static' has no odometry"));
+    EXPECT_EQ(read().size(), 1U);
+    EXPECT_FALSE(stream_->summary().has_odometry);
+}
+
+class Robots : public Log {
+protected:
+    Robots() {
+        for (const auto& [robot, speed] : {std::pair{std::string("/robot1"), 1.0}, {std::string("/robot2"), 2.0}}) {
+            transform("base", "laser", Pose2{0.1 * speed, 0.0, 0.0}, 0.0, robot + "/tf_static");
+            for (int i = 1; i < 20; ++i) {
+                transform("odom", "base", Pose2{speed * i, 0.0, 0.0}, i, robot + "/tf");
+                scan_in("laser", i, robot + "/scan");
+            }
+        }
+    }
+    void expect_robot(double speed) {
+        EXPECT_NEAR(frames_.at(10).odom_from_robot.x_m, speed * 11.0, 1e-9);
+        EXPECT_NEAR(frames_.at(10).robot_from_laser.x_m, 0.1 * speed, 1e-9);
+    }
+    std::vector<SensorFrame> frames_;
+};
+
+TEST_F(Robots, AScanBringsTheTransformsOfItsOwnRobot) {
+    frames_ = read(test::topics("/robot1/scan"));
+    expect_robot(1.0);
+    frames_ = read(test::topics("/robot2/scan"));
+    expect_robot(2.0);
+    EXPECT_EQ(stream_->summary().odom_topic, "/robot2/tf");
+}
+
+TEST_F(Robots, AScanBringsTheOdometryOfItsOwnRobot) {
+    for (int i = 1; i < 20; ++i) {
+        odometry(i, 3.0 * i, "/robot1/odom");
+        odometry(i, 2.0 * i, "/robot2/odom");
+    }
+    frames_ = read(test::topics("/robot2/scan"));
+    expect_robot(2.0);
+    EXPECT_EQ(stream_->summary().odom_topic, "/robot2/odom");
+}
+
+TEST_F(Robots, TheRobotCanBeNamed) {
+    LogOptions options;
+    options.robot = "robot2";
+    frames_ = read(options);
+    expect_robot(2.0);
+    options.robot = "robot3";
+    EXPECT_THAT(failure(options),
+                HasSubstr("no scans of a robot 'robot3'; its scan topics are /robot1/scan, /robot2/scan"));
+}
+
+TEST_F(Log, RobotsWithoutTransformsAreToldApartByTheirTopics) {
+    drive("/a/scan", "/a/odom", 1.0);
+    drive("/b/scan", "/b/odom", 2.0);
+    EXPECT_NEAR(read(test::topics("/b/scan")).at(10).odom_from_robot.x_m, 22.0, 1e-9);
+}
+
+TEST_F(Log, RobotsInOneTreeAreToldApartByTheirFrames) {
+    for (int i = 1; i < 20; ++i) {
+        transform("a/odom", "a/base", Pose2{1.0 * i, 0.0, 0.0}, i, "/tf");
+        transform("b/odom", "b/base", Pose2{2.0 * i, 0.0, 0.0}, i, "/tf");
+        scan_in("b/laser", i);
+    }
+    EXPECT_NEAR(read().at(10).odom_from_robot.x_m, 22.0, 1e-9);
+}
+
+TEST_F(Log, AMountingWithoutRotationIsSaid) {
+    transform("base", "laser", RosPose{{0.3, 0.0, 0.0}, {0.0, 0.0, 0.0, 0.0}});
+    odometry(1.0, 0.0);
+    scan(1.0);
+    EXPECT_EQ(read().at(0).robot_from_laser, (Pose2{0.3, 0.0, 0.0}));
+    EXPECT_THAT(stream_->summary().assumptions, ElementsAre(HasSubstr("base -> laser has the rotation 0,0,0,0")));
+    EXPECT_TRUE(problems_.empty());
+}
+
+TEST_F(Log, OdometryWithoutRotationIsSkippedAndCounted) {
+    const auto odometry_without_rotation = [&](double stamp_s) {
+        RosOdometry message = odometry_message(at(stamp_s), "odom", "base", {50.0, 0.0, 0.0});
+        message.pose.orientation = {0.0, 0.0, 0.0, 0.0};
+        log_.add("/odom", at(stamp_s), message);
+    };
+    transform("base", "laser", Pose2{});
+    odometry_without_rotation(1.0);
+    scan(1.5);
+    EXPECT_FALSE(open()->summary().has_odometry);
+    EXPECT_THAT(problems_, ElementsAre(HasSubstr("the rotation of all its 1 poses is 0,0,0,0")));
+    problems_.clear();
+    odometry(1.0, 1.0);
+    odometry_without_rotation(1.4);
+    odometry(2.0, 2.0);
+    EXPECT_NEAR(read().at(0).odom_from_robot.x_m, 1.5, 1e-9);
+    EXPECT_EQ(stream_->summary().problems, 2U);
+    EXPECT_THAT(problems_, testing::Each(HasSubstr("a pose whose rotation is 0,0,0,0")));
+}
+
+/// Scans of a robot that moves, in odometry at 10 Hz that is as it is given.
+class Driven : public Log {
+protected:
+    void drive(const std::function<double(double)>& x_at, double odometry_ahead_s = 0.0,
+               const std::string& odom = "/odom") {
+        transform("base", "laser", Pose2{});
+        for (int i = 10; i < 100; ++i) {
+            const double t = 0.1 * i;
+            RosLaserScan message = scan_message(t);
+            message.ranges = {static_cast<float>(t), 9.0F - static_cast<float>(t) / 2.0F, 3.0F, 4.0F};
+            log_.add("/scan", at(t), message);
+            const std::int64_t stamp_ns = at(t + odometry_ahead_s);
+            log_.add(odom, at(t), odometry_message(stamp_ns, "odom", "base", {x_at(t), 0.0, 0.0}));
+        }
+    }
+};
+
+TEST_F(Driven, OdometryThatNeverMovesIsNotBelieved) {
+    drive([](double) { return 3.0; });
+    const auto frames = read();
+    EXPECT_FALSE(stream_->summary().has_odometry);
+    EXPECT_EQ(frames.at(5).odom_from_robot, Pose2{});
+    EXPECT_THAT(problems_, ElementsAre(HasSubstr("the odometry /odom is not used: it never moves")));
+    EXPECT_THAT(stream_->summary().first_problems, testing::ElementsAreArray(problems_));
+}
+
+TEST_F(Driven, OtherOdometryIsUsedInItsPlace) {
+    drive([](double) { return 3.0; });
+    for (int i = 10; i < 100; ++i) {
+        transform("odom", "base", Pose2{0.01 * i, 0.0, 0.0}, 0.1 * i, "/tf");
+    }
+    EXPECT_NEAR(read().at(40).odom_from_robot.x_m, 0.5, 1e-9);
+    EXPECT_EQ(stream_->summary().odom_topic, "/tf");
+    EXPECT_EQ(problems_.size(), 1U);
+}
+
+TEST_F(Driven, TheOdometryCanBeLeftOut) {
+    drive([](double t) { return t; });
+    LogOptions options;
+    options.with_odometry = false;
+    EXPECT_EQ(read(options).at(5).odom_from_robot, Pose2{});
+    EXPECT_FALSE(stream_->summary().has_odometry);
+    EXPECT_THAT(stream_->summary().assumptions, ElementsAre(HasSubstr("as was asked for")));
+    EXPECT_TRUE(problems_.empty());
+}
+
+TEST_F(Driven, OdometryThatStartsAgainAtZeroGoesOn) {
+    drive([](double t) { return 0.5 * (t < 5.0 ? t : t - 5.0); });
+    const auto frames = read();
+    EXPECT_NEAR(frames.at(30).odom_from_robot.x_m, 2.0, 1e-6);
+    EXPECT_NEAR(frames.at(80).odom_from_robot.x_m, 4.45, 1e-6);
+    EXPECT_THAT(problems_, ElementsAre(HasSubstr("/odom jumps by 2.45 m and 0.00 rad in 0.10 s, to its origin")));
+}
+
+TEST_F(Driven, AnotherClockIsFoundByTheTimesOfRecordingAndTakenOff) {
+    for (const double ahead_s : {4.3, -97200.0}) {
+        log_ = {};
+        drive([](double t) { return t; }, ahead_s);
+        EXPECT_NEAR(read().at(40).odom_from_robot.x_m, 5.0, 1e-6);
+        EXPECT_TRUE(problems_.empty());
+        EXPECT_THAT(stream_->summary().assumptions,
+                    ElementsAre(HasSubstr("that of the scans, as the times of recording")));
+    }
+}
+
+TEST_F(Driven, OdometryOfAnotherTimeIsNotUsed) {
+    drive([](double t) { return t; }, 0.0, "/other");
+    for (int i = 0; i < 90; ++i) {
+        log_.add("/odom", at(5000.0 + 0.1 * i),
+                 odometry_message(at(5000.0 + 0.2 * i), "odom", "base", {0.1 * i, 0.0, 0.0}));
+    }
+    read(test::topics("", "/odom"));
+    EXPECT_FALSE(stream_->summary().has_odometry);
+    EXPECT_THAT(problems_, ElementsAre(HasSubstr("share no moment")));
 }
 
 TEST_F(Log, AMissThatReadsTheMaximumRangeIsNoReturnUnlessToldOtherwise) {

@@ -24,5 +24,16 @@ TEST(TopicNames, KnowsOdometryStaticAndFixedFrames) {
     EXPECT_FALSE(names_fixed_frame("base_link"));
 }
 
+TEST(TopicNames, TransformsOfARobotHaveItsNamespace) {
+    EXPECT_EQ(transform_namespace("/robot1/tf"), "/robot1");
+    EXPECT_EQ(transform_namespace("/fleet/robot1/tf_static"), "/fleet/robot1");
+    for (const char* name : {"/tf", "/tf_static", "tf", "/robot1/transforms", "/robot1/tf_tree"}) {
+        EXPECT_EQ(transform_namespace(name), "") << name;
+    }
+    EXPECT_TRUE(is_in_namespace("/robot1/front/scan", "/robot1"));
+    EXPECT_TRUE(is_in_namespace("/scan", ""));
+    EXPECT_FALSE(is_in_namespace("/robot11/scan", "/robot1"));
+}
+
 }  // namespace
 }  // namespace ddtool

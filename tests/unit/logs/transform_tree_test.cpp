@@ -31,6 +31,24 @@ TEST(TransformTree, HasNoWayBetweenUnconnectedFrames) {
     EXPECT_TRUE(tree().find("camera", "camera"));
 }
 
+TEST(TransformTree, LaidOverAnotherItsTransformsCount) {
+    TransformTree over;
+    over.set({0, "base", "laser", some_transform(2.0)});
+    over.set({0, "laser", "lens", some_transform(3.0)});
+    TransformTree both = tree();
+    both.set(over);
+    EXPECT_TRUE(both.find("odom", "lens")->isApprox(some_transform(0.7) * some_transform(2.0) * some_transform(3.0)));
+}
+
+TEST(TransformTree, NamesWhatHasNoRotationOnTheWay) {
+    TransformTree faulty = tree();
+    faulty.set({0, "base", "laser", some_transform(1.3), false});
+    faulty.set({0, "map", "odom", some_transform(0.1), false});
+    EXPECT_THAT(faulty.without_rotation("base", "laser"), testing::ElementsAre("base -> laser"));
+    EXPECT_THAT(faulty.without_rotation("base", "imu"), testing::IsEmpty());
+    EXPECT_THAT(faulty.without_rotation("none", "laser"), testing::ElementsAre("base -> laser", "map -> odom"));
+}
+
 TEST(TransformTree, SurvivesALoop) {
     TransformTree loop = tree();
     loop.set({0, "laser", "map", some_transform(1.0)});

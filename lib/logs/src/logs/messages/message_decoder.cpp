@@ -48,6 +48,15 @@ void tidy(std::string& frame_id) { frame_id.erase(0, frame_id.starts_with('/') ?
 
 bool is_somewhere(const Eigen::Isometry3d& pose) { return (pose.translation().array().abs() < farthest_m).all(); }
 
+/// Puts the identity in place of a rotation that is no number. Returns whether it was one.
+bool tidy_rotation(Eigen::Isometry3d& pose) {
+    const bool is_rotation = pose.linear().allFinite();
+    if (!is_rotation) {
+        pose.linear().setIdentity();
+    }
+    return is_rotation;
+}
+
 void tidy_stamp(std::int64_t& stamp_ns, const McapMessage& message) {
     if (stamp_ns == 0) {
         stamp_ns = message.log_time_ns;
@@ -96,6 +105,7 @@ std::optional<ScanReading> decode_scan(const McapMessage& message) {
         return std::nullopt;
     }
     tidy(reading->frame_id);
+    tidy_rotation(reading->frame_from_scan);
     tidy_stamp(reading->scan.stamp_ns, message);
     return reading;
 }
@@ -108,6 +118,7 @@ std::optional<std::vector<PoseReading>> decode_poses(const McapMessage& message)
     for (PoseReading& reading : *readings) {
         tidy(reading.frame_id);
         tidy(reading.child_frame_id);
+        reading.has_rotation = tidy_rotation(reading.frame_from_child);
         tidy_stamp(reading.stamp_ns, message);
     }
     return readings;

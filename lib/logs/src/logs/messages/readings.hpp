@@ -25,6 +25,7 @@ struct PoseReading {
     std::string frame_id;
     std::string child_frame_id;  ///< empty where the message type has none
     Eigen::Isometry3d frame_from_child = Eigen::Isometry3d::Identity();
+    bool has_rotation = true;  ///< false: the message's quaternion is 0,0,0,0 or no number; the identity stands for it
 };
 
 }  // namespace ddtool

@@ -1,6 +1,7 @@
 #include "logs/messages/ros_conversions.hpp"
 
 #include <cmath>
+#include <limits>
 
 namespace ddtool {
 
@@ -18,8 +19,11 @@ Eigen::Isometry3d to_isometry(const RosPose& pose) {
     const auto& [position, orientation] = pose;
     Eigen::Quaterniond rotation(orientation.w, orientation.x, orientation.y, orientation.z);
     const double length = rotation.norm();
-    rotation = length > 0.0 && std::isfinite(length) ? rotation.normalized() : Eigen::Quaterniond::Identity();
-    return Eigen::Translation3d(position.x, position.y, position.z) * rotation;
+    Eigen::Isometry3d frame_from_child(Eigen::Translation3d(position.x, position.y, position.z));
+    frame_from_child.linear() = length > 0.0 && std::isfinite(length)
+                                    ? rotation.normalized().toRotationMatrix()
+                                    : Eigen::Matrix3d::Constant(std::numeric_limits<double>::quiet_NaN());
+    return frame_from_child;
 }
 
 RosLaserScan scan_message(const LaserScan& scan, const std::string& frame_id) {

@@ -14,7 +14,7 @@ namespace ddtool {
 RosPose to_ros_pose(const Pose2& pose);
 /// The x, y and yaw of a pose; z, roll and pitch are dropped.
 Pose2 to_pose2(const Eigen::Isometry3d& pose);
-/// The quaternion is normalised; one that has zero length or contains NaN is taken as no rotation.
+/// The quaternion is normalised; from one that has zero length or is not finite the rotation is NaN.
 Eigen::Isometry3d to_isometry(const RosPose& pose);
 
 /// No return becomes +inf and an invalid beam NaN, as REP 117 defines it; angle_max is the angle of the last beam.

@@ -6,6 +6,7 @@
 
 #include "base/text.hpp"
 #include "ddtool/base/error.hpp"
+#include "logs/stream/scan_change.hpp"
 
 namespace ddtool {
 namespace {
@@ -36,15 +37,12 @@ CarmenStream::CarmenStream(const std::filesystem::path& path, LogOptions options
     check_options(file_, options_);
     summary_.format = "CARMEN";
     summary_.scan_topic = options_.scan_topic;
+    read_ahead();
 }
 
 double CarmenStream::fraction_read() const { return lines_.fraction_read(); }
 
 std::optional<SensorFrame> CarmenStream::next() {
-    if (!started_) {
-        started_ = true;
-        read_ahead();
-    }
     std::optional<SensorFrame> frame;
     if (ahead_.empty()) {
         frame = read_frame();
@@ -55,24 +53,38 @@ std::optional<SensorFrame> CarmenStream::next() {
     if (frame) {
         ++summary_.scans;
         set_no_returns(frame->scan);
+        if (!summary_.has_odometry) {
+            frame->odom_from_robot = {};
+        }
     }
     return frame;
 }
 
 void CarmenStream::read_ahead() {
     RangePiles piles;
+    ScanChange change;
+    bool robot_moves = false;
     while (ahead_.size() < scans_read_ahead) {
         std::optional<SensorFrame> frame = read_frame();
         if (!frame) {
             break;
         }
         piles.add(frame->scan);
+        change.add(frame->scan);
+        robot_moves = robot_moves || (!ahead_.empty() && frame->odom_from_robot != ahead_.front().odom_from_robot);
         ahead_.push_back(std::move(*frame));
     }
     if (ahead_.empty()) {
         fail_without_scans();
     }
     no_returns_ = options_.no_return_m.empty() ? piles.find(true) : named_no_returns(options_.no_return_m);
+    if (!options_.with_odometry) {
+        summary_.has_odometry = false;
+        summary_.assumptions.push_back(file_ + ": the odometry of the log is left out, as was asked for");
+    } else if (!robot_moves && change.moves()) {
+        summary_.has_odometry = false;
+        report({file_ + ": the odometry in the lines of the scans is not used: it never moves, although the scans do"});
+    }
     note_assumptions();
 }
 
@@ -126,7 +138,10 @@ std::optional<SensorFrame> CarmenStream::take_scan(const std::string& name, std:
     summary_.odom_topic = name;
     SensorFrame frame;
     frame.robot_from_laser = robot_from_laser(*message);
-    frame.odom_from_robot = message->odom_from_robot;
+    frame.odom_from_robot = resets_.follow({message->scan.stamp_ns, message->odom_from_robot});
+    if (const auto& jump = resets_.last_jump()) {
+        report({file_ + ":" + std::to_string(lines_.line_number()) + ": the odometry " + OdometryResets::text(*jump)});
+    }
     frame.scan = std::move(message->scan);
     return frame;
 }

@@ -11,6 +11,7 @@
 #include "logs/containers/line_reader.hpp"
 #include "logs/messages/carmen_message.hpp"
 #include "logs/stream/no_return.hpp"
+#include "logs/stream/odometry_resets.hpp"
 
 namespace ddtool {
 
@@ -18,7 +19,7 @@ namespace ddtool {
 /// A reading means no return if it is at least as large as the smallest of these: the maximum range that the log states
 /// (in ROBOTLASER1, or as PARAM robot_front_laser_max), the least code for a missing return that was found in
 /// the first scans, and 80 m, the reach of the SICK lasers of these logs (whose codes are 81.83 to 81.91). To find the
-/// codes, the first scans are read before the first frame is returned.
+/// codes, the constructor reads the first scans.
 class CarmenStream : public LogStream {
 public:
     static constexpr std::size_t scans_read_ahead = 1000;
@@ -43,7 +44,7 @@ private:
     LogOptions options_;
     LineReader lines_;
     std::deque<SensorFrame> ahead_;
-    bool started_ = false;
+    OdometryResets resets_;
     std::optional<Pose2> mounting_;      ///< PARAM robot_frontlaser_*
     std::optional<double> range_max_m_;  ///< PARAM robot_front_laser_max
     NoReturns no_returns_;

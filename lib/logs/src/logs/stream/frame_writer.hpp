@@ -3,7 +3,8 @@
 #include <cstdint>
 #include <filesystem>
 #include <limits>
-#include <optional>
+#include <string>
+#include <vector>
 
 #include "ddtool/robot/pose2.hpp"
 #include "ddtool/robot/sensor_stream.hpp"
@@ -12,7 +13,8 @@
 namespace ddtool {
 
 /// Writes sensor frames as a log of ROS 2 messages: /scan (LaserScan), /odom and, if it is known, /ground_truth
-/// (Odometry), /tf (odom from base_link) and /tf_static (base_link from laser). open_log() can read the file. Throws
+/// (Odometry), /tf (odom from base_link) and /tf_static (base_link from laser;
+/// from laser_2 and so on for scans of a lidar that is mounted elsewhere). open_log() can read the file. Throws
 /// OutputError naming the file.
 class FrameWriter {
 public:
@@ -23,10 +25,11 @@ public:
     void close() { file_.close(); }
 
 private:
-    void write_mounting(std::int64_t stamp_ns, const Pose2& robot_from_laser);
+    /// The frame of a laser that is mounted like this. Writes its transform when it is new.
+    std::string frame_of(std::int64_t stamp_ns, const Pose2& robot_from_laser);
 
     Ros2Writer file_;
-    std::optional<Pose2> robot_from_laser_;  ///< as last written
+    std::vector<Pose2> robot_from_lasers_;  ///< as written, one for each frame
     /// Never steps back, so that programs that read by log time keep the order of the frames. The stamps in the
     /// messages may step back.
     std::int64_t log_time_ns_ = std::numeric_limits<std::int64_t>::min();

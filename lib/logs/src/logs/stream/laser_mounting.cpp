@@ -50,6 +50,11 @@ std::optional<std::string> find_fault(const LaserScan& scan) {
 
 }  // namespace
 
+bool is_same_mounting(const Pose2& a, const Pose2& b) {
+    const Pose2 apart = between(a, b);
+    return std::hypot(apart.x_m, apart.y_m) < 1e-3 && std::abs(apart.theta_rad) < 1e-3;
+}
+
 std::optional<std::string> place_scan(ScanReading reading, const Eigen::Isometry3d& robot_from_laser,
                                       const RangeRules& rules, SensorFrame& frame) {
     LaserScan& scan = reading.scan;

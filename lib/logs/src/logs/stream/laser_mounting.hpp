@@ -22,4 +22,8 @@ struct RangeRules {
 std::optional<std::string> place_scan(ScanReading reading, const Eigen::Isometry3d& robot_from_laser,
                                       const RangeRules& rules, SensorFrame& frame);
 
+/// Whether two poses of a laser on the robot are the same to a millimetre and a milliradian. In logs that give the pose
+/// with each scan, it differs in the last digits.
+bool is_same_mounting(const Pose2& a, const Pose2& b);
+
 }  // namespace ddtool

@@ -1,15 +1,23 @@
 #include "logs/stream/log_plan.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
+#include <set>
+#include <utility>
 
+#include "base/text.hpp"
 #include "ddtool/base/error.hpp"
+#include "ddtool/system/settings.hpp"
 #include "logs/stream/topic_names.hpp"
 
 namespace ddtool {
 namespace {
 
 using Topics = std::vector<TopicSurvey>;
+
+/// Between what was measured and what was recorded there is always some delay, of the lidar's turn and more.
+constexpr double least_clock_offset_s = 0.5;
 
 template <typename Condition>
 Topics topics_where(const LogSurvey& survey, Condition condition) {
@@ -45,9 +53,10 @@ public:
 
     LogPlan plan() {
         choose_scan();
+        find_robot();
         choose_ground_truth();
         choose_odometry();
-        find_mounting();
+        find_mountings();
         find_no_returns();
         plan_.has_information = survey_.has_information;
         return plan_;
@@ -55,6 +64,7 @@ public:
 
 private:
     void assume(const std::string& text) { plan_.assumptions.push_back(file_ + ": " + text); }
+    void blame(const std::string& text) { plan_.faults.push_back(file_ + ": " + text); }
 
     /// Chooses the topic with the shortest name: /scan rather than /scan_filtered.
     const TopicSurvey& plainest(const Topics& topics, const std::string& what) {
@@ -67,16 +77,90 @@ private:
     }
 
     void choose_scan() {
-        const Topics scans =
+        const Topics all =
             topics_where(survey_, [](const TopicSurvey& topic) { return topic.kind == MessageKind::scan; });
+        Topics scans = all;
+        if (!options_.robot.empty()) {
+            std::erase_if(scans, [&](const TopicSurvey& topic) { return !is_of_robot(topic, options_.robot); });
+        }
         if (!options_.scan_topic.empty()) {
             scan_ = find_requested(scans, options_.scan_topic, "scan", file_);
-        } else if (scans.empty()) {
+        } else if (all.empty()) {
             fail_without_scans();
+        } else if (scans.empty()) {
+            throw UsageError(file_ + ": has no scans of a robot '" + options_.robot + "'; its scan topics are " +
+                             names_of(all));
         } else {
             scan_ = plainest(scans, "scan");
         }
         plan_.scan_topic = scan_.topic;
+    }
+
+    /// Whether a scan topic is in the namespace of the robot, or in frames that have its name in front.
+    static bool is_of_robot(const TopicSurvey& scans, const std::string& robot) {
+        const auto named = [&](const std::string& frame) { return frame.starts_with(robot + "/"); };
+        return is_in_namespace(scans.topic, "/" + robot) || std::ranges::any_of(scans.scan_frames, named);
+    }
+
+    /// Finds what the topics and frames of the scans' robot have in front, and its transforms. They are laid over those
+    /// that belong to no robot.
+    void find_robot() {
+        scan_frame_ = scan_.scan_frames.empty() ? "" : scan_.scan_frames.front();
+        frame_prefix_ = scan_frame_.substr(0, scan_frame_.find('/') + 1);
+        for (const auto& [name, tree] : survey_.transforms) {
+            if (name.size() > namespace_.size() && is_in_namespace(scan_.topic, name)) {
+                namespace_ = name;
+            }
+        }
+        if (!options_.robot.empty() && is_in_namespace(scan_.topic, "/" + options_.robot)) {
+            namespace_ = "/" + options_.robot;
+        }
+        if (namespace_.empty()) {
+            namespace_ = shared_namespace();
+        }
+        const bool has_own = survey_.transforms.contains(namespace_) && !namespace_.empty();
+        for (const auto& [name, tree] : survey_.transforms) {
+            if (!has_own && !name.empty()) {
+                tree_.set(tree);
+            }
+        }
+        for (const std::string& name : {std::string(), namespace_}) {
+            if (const auto found = survey_.transforms.find(name); found != survey_.transforms.end()) {
+                tree_.set(found->second);
+            }
+        }
+    }
+
+    /// The first part of the scans' topic, if another topic of scans has another first part, and both have odometry.
+    std::string shared_namespace() const {
+        const auto first_part = [](const std::string& topic) { return topic.substr(0, topic.find('/', 1)); };
+        std::set<std::string> with_scans;
+        std::set<std::string> with_both;
+        for (const TopicSurvey& topic : survey_.topics) {
+            if (topic.kind == MessageKind::scan) {
+                with_scans.insert(first_part(topic.topic));
+            }
+        }
+        for (const TopicSurvey& topic : survey_.topics) {
+            if (topic.kind == MessageKind::odometry && with_scans.contains(first_part(topic.topic))) {
+                with_both.insert(first_part(topic.topic));
+            }
+        }
+        const std::string own = first_part(scan_.topic);
+        return with_both.size() > 1 && with_both.contains(own) ? own : "";
+    }
+
+    /// Leaves only the topics of the scans' robot, if it has any of these.
+    Topics of_this_robot(Topics topics) const {
+        const auto is_own = [&](const TopicSurvey& topic) {
+            const auto named = [&](const auto& track) { return track.first.second.starts_with(frame_prefix_); };
+            return (!namespace_.empty() && is_in_namespace(topic.topic, namespace_)) ||
+                   (!frame_prefix_.empty() && std::ranges::any_of(topic.tracks, named));
+        };
+        if (std::ranges::any_of(topics, is_own)) {
+            std::erase_if(topics, [&](const TopicSurvey& topic) { return !is_own(topic); });
+        }
+        return topics;
     }
 
     [[noreturn]] void fail_without_scans() const {
@@ -96,18 +180,30 @@ private:
             plan_.ground_truth_topic = find_requested(poses, options_.ground_truth_topic, "ground truth", file_).topic;
             return;
         }
-        const auto named = std::find_if(poses.begin(), poses.end(), [&](const TopicSurvey& topic) {
-            return names_ground_truth(topic.topic) && topic.topic != options_.odom_topic;
+        Topics named = poses;
+        std::erase_if(named, [&](const TopicSurvey& topic) {
+            return !names_ground_truth(topic.topic) || topic.topic == options_.odom_topic;
         });
-        plan_.ground_truth_topic = named == poses.end() ? "" : named->topic;
+        named = of_this_robot(std::move(named));
+        plan_.ground_truth_topic = named.empty() ? "" : named.front().topic;
     }
 
     void choose_odometry() {
+        if (!options_.with_odometry) {
+            assume("the odometry of the log is left out, as was asked for");
+            return;
+        }
         if (!options_.odom_topic.empty()) {
             const Topics usable = topics_where(survey_, [](const TopicSurvey& topic) {
                 return topic.kind != MessageKind::scan && topic.kind != MessageKind::other;
             });
-            use_odometry(find_requested(usable, options_.odom_topic, "odometry", file_));
+            const TopicSurvey& topic = find_requested(usable, options_.odom_topic, "odometry", file_);
+            if (!use_odometry(topic) && plan_.faults.empty()) {
+                throw UsageError(
+                    file_ + ": the topic '" + topic.topic + "' has no odometry; expected " +
+                    "a transform from a frame odom to the robot's frame, in it or above the laser's frame");
+            }
+            assume_none();
             return;
         }
         const Topics odometry =
@@ -117,12 +213,22 @@ private:
         const Topics transforms = topics_where(survey_, [](const TopicSurvey& topic) {
             return topic.kind == MessageKind::transforms && !names_static(topic.topic);
         });
-        for (const Topics& topics : {odometry, poses, transforms}) {
-            if (!topics.empty() && use_odometry(plainest(topics, "odometry"))) {
-                return;
+        for (Topics topics : {odometry, poses, of_this_robot(transforms)}) {
+            while (!topics.empty()) {
+                const TopicSurvey topic = plainest(topics, "odometry");
+                if (use_odometry(topic)) {
+                    return;
+                }
+                std::erase_if(topics, [&](const TopicSurvey& other) { return other.topic == topic.topic; });
             }
         }
-        assume("no odometry; the robot's own motion is unknown and taken as none");
+        assume_none();
+    }
+
+    void assume_none() {
+        if (plan_.odom_topic.empty()) {
+            assume("no odometry; the robot's own motion is unknown and taken as none");
+        }
     }
 
     Topics odometry_candidates(const std::function<bool(const TopicSurvey&)>& condition) const {
@@ -134,67 +240,126 @@ private:
         if (unnamed != topics.begin()) {
             topics.erase(unnamed, topics.end());
         }
-        return topics;
+        return of_this_robot(std::move(topics));
     }
 
     bool use_odometry(const TopicSurvey& topic) {
         if (topic.kind == MessageKind::transforms) {
             return use_transforms(topic);
         }
+        const TrackSurvey track = topic.tracks.empty() ? TrackSurvey() : topic.tracks.begin()->second;
+        if (!can_be_used(track, topic.topic)) {
+            return false;
+        }
         plan_.odom_topic = topic.topic;
-        plan_.robot_frame = topic.child_frame_id;
+        plan_.robot_frame = topic.tracks.begin()->first.second;
+        return true;
+    }
+
+    bool can_be_used(const TrackSurvey& track, const std::string& name) {
+        if (track.usable() == 0) {
+            blame("the odometry " + name + " is not used: " +
+                  (track.without_rotation() > 0
+                       ? "the rotation of all its " + std::to_string(track.without_rotation()) +
+                             " poses is 0,0,0,0 or no number"
+                       : "none of its messages can be read"));
+            return false;
+        }
+        if (!track.moves() && scan_.change.moves()) {
+            blame("the odometry " + name + " is not used: it never moves, although the scans do");
+            return false;
+        }
+        const double ahead_s = ClockLag::offset_s(scan_.clock, track.clock()).value_or(0.0);
+        const bool is_another_clock = std::abs(ahead_s) > least_clock_offset_s;
+        if (!ClockLag::overlap(track.clock(), scan_.clock, is_another_clock ? -ahead_s : 0.0) && track.usable() > 1) {
+            blame("the odometry " + name + " is not used: its stamps share no moment with those of the scans");
+            return false;
+        }
+        if (is_another_clock) {
+            plan_.odom_clock_offset_ns = std::llround(-1e9 * ahead_s);
+            assume("the clock of the odometry " + name + " is " + fixed_text(std::abs(ahead_s), 3) + " s " +
+                   (ahead_s > 0.0 ? "ahead of" : "behind") +
+                   " that of the scans, as the times of recording show; this is taken off its stamps");
+        }
         return true;
     }
 
     /// Takes the odometry from transforms: odom_from_robot, where odom is the frame that has such a name, or otherwise
-    /// the root, and robot is the frame directly below it on the way to the laser. Returns false if odom would be the
-    /// laser's own frame.
+    /// the root, and robot is the frame directly below it on the way to the laser. If the topic does not have that
+    /// transform, the laser is not in the tree; then it is a transform from a frame with such a name. Returns false if
+    /// there is none.
     bool use_transforms(const TopicSurvey& topic) {
-        const std::vector<std::string> frames = survey_.transforms.with_ancestors(scan_.frame_id);
+        const std::vector<std::string> frames = tree_.with_ancestors(scan_frame_);
         const auto named = std::find_if(frames.begin(), frames.end(), names_odometry);
         const auto odom = named == frames.end() ? frames.end() - 1 : named;
-        if (odom == frames.begin()) {
+        auto track = odom == frames.begin() ? topic.tracks.end() : topic.tracks.find({*odom, *(odom - 1)});
+        if (track == topic.tracks.end()) {
+            track = std::ranges::find_if(topic.tracks, [&](const auto& each) {
+                const auto& [parent, child] = each.first;
+                return names_odometry(parent) && (frame_prefix_.empty() || parent.starts_with(frame_prefix_));
+            });
+        }
+        if (track == topic.tracks.end()) {
+            return false;
+        }
+        const auto& [parent, child] = track->first;
+        if (!can_be_used(track->second, parent + " -> " + child + " in " + topic.topic)) {
             return false;
         }
         plan_.odom_topic = topic.topic;
-        plan_.odom_frame = *odom;
-        plan_.robot_frame = *(odom - 1);
-        if (named == frames.end()) {
-            assume("no frame is named odom; the transform " + plan_.odom_frame + " -> " + plan_.robot_frame +
-                   " is taken as odometry");
+        plan_.odom_frame = parent;
+        plan_.robot_frame = child;
+        if (!names_odometry(parent)) {
+            assume("no frame is named odom; the transform " + parent + " -> " + child + " is taken as odometry");
         }
         return true;
     }
 
-    void find_mounting() {
+    void find_mountings() {
+        const std::vector<std::string>& frames = scan_.scan_frames;
+        if (frames.size() > 1) {
+            assume("the scans of " + scan_.topic + " are in " + std::to_string(frames.size()) + " frames (" +
+                   joined(frames) + "); " +
+                   (options_.laser_pose ? "all are placed by the given pose of the laser"
+                                        : "each is placed by its own frame"));
+        }
         if (options_.laser_pose) {
             const auto& [x, y, theta] = *options_.laser_pose;
-            plan_.robot_from_laser =
+            plan_.robot_from_other_laser =
                 Eigen::Translation3d(x, y, 0.0) * Eigen::AngleAxisd(theta, Eigen::Vector3d::UnitZ());
             return;
         }
-        const auto mounting =
-            plan_.robot_frame.empty() ? std::nullopt : survey_.transforms.find(plan_.robot_frame, scan_.frame_id);
-        plan_.robot_from_laser = mounting ? *mounting : guess_mounting();
+        const std::string robot = robot_above_laser();
+        for (const std::string& frame : frames) {
+            if (const auto mounting = tree_.find(robot, frame)) {
+                plan_.robot_from_laser[frame] = *mounting;
+            }
+            for (const std::string& transform : tree_.without_rotation(robot, frame)) {
+                assume("the transform " + transform +
+                       " has the rotation 0,0,0,0, which is none; it is taken not to turn");
+            }
+        }
     }
 
-    /// For logs whose transforms do not connect the odometry's frame with the laser. Takes the laser's highest known
-    /// ancestor below odom or map for the robot.
-    Eigen::Isometry3d guess_mounting() {
-        std::vector<std::string> frames = survey_.transforms.with_ancestors(scan_.frame_id);
+    /// The frame of the robot, from which the lasers are placed. If the transforms do not connect the odometry's frame
+    /// with the laser, it is the laser's highest known ancestor below odom or map.
+    std::string robot_above_laser() {
+        if (!plan_.robot_frame.empty() && tree_.find(plan_.robot_frame, scan_frame_)) {
+            return plan_.robot_frame;
+        }
+        const std::vector<std::string> frames = tree_.with_ancestors(scan_frame_);
         const auto fixed = std::find_if(frames.begin() + 1, frames.end(), names_fixed_frame);
         const std::string& robot = *(fixed - 1);
         const std::string wanted = plan_.robot_frame.empty() ? "the robot" : "'" + plan_.robot_frame + "'";
-        if (robot == scan_.frame_id) {
-            assume("no transform from the laser '" + scan_.frame_id + "' to " + wanted +
+        if (robot == scan_frame_) {
+            assume("no transform from the laser '" + scan_frame_ + "' to " + wanted +
                    "; the laser is taken to be at the robot's origin");
-            return Eigen::Isometry3d::Identity();
-        }
-        if (!plan_.robot_frame.empty()) {
-            assume("no transform from the laser '" + scan_.frame_id + "' to " + wanted + "; '" + robot +
+            plan_.robot_from_other_laser = Eigen::Isometry3d::Identity();
+        } else if (!plan_.robot_frame.empty()) {
+            assume("no transform from the laser '" + scan_frame_ + "' to " + wanted + "; '" + robot +
                    "' is taken as the robot");
         }
-        return survey_.transforms.find(robot, scan_.frame_id).value_or(Eigen::Isometry3d::Identity());
+        return robot;
     }
 
     void find_no_returns() {
@@ -213,6 +378,10 @@ private:
     const LogOptions& options_;
     const std::string& file_;
     TopicSurvey scan_;
+    std::string scan_frame_;    ///< of the first scan
+    std::string namespace_;     ///< of the topics of the scans' robot; empty: it has none of its own
+    std::string frame_prefix_;  ///< of the frames of that robot, up to and with the slash; may be empty
+    TransformTree tree_;        ///< of that robot
     LogPlan plan_;
 };
 

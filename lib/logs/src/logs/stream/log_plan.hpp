@@ -1,6 +1,9 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <cstdint>
+#include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,12 +21,19 @@ struct LogPlan {
     /// If the odometry comes from transforms: the frames between which the transform is taken.
     std::string odom_frame;
     std::string robot_frame;
-    Eigen::Isometry3d robot_from_laser = Eigen::Isometry3d::Identity();
+    /// What is added to the stamps of the odometry, because its clock is not that of the scans.
+    std::int64_t odom_clock_offset_ns = 0;
+    /// Where the lasers are on the robot, by the frame of their scans.
+    std::map<std::string, Eigen::Isometry3d> robot_from_laser;
+    /// For scans in frames without an entry there; empty: such scans cannot be used.
+    std::optional<Eigen::Isometry3d> robot_from_other_laser;
     RangeRules ranges;
     std::vector<std::string> assumptions;
+    std::vector<std::string> faults;  ///< what cannot be believed in the log, one line each
 };
 
-/// Chooses topics by type, then by name; topics that the options name take precedence.
+/// Chooses topics by type, then by name; topics that the options name take precedence. Of several robots, those of the
+/// robot whose scans are used come first.
 /// \param file the name of the log, for messages
 /// Throws UsageError for a topic that is not in the log, naming the suitable ones, and Error if there are no scans,
 /// naming what there is.

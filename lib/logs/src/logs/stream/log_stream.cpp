@@ -11,6 +11,9 @@ LogStream::LogStream(LogProblemHandler on_problem) : on_problem_(std::move(on_pr
 
 void LogStream::report(const LogProblem& problem) {
     ++summary_.problems;
+    if (summary_.first_problems.size() < LogSummary::most_told) {
+        summary_.first_problems.push_back(problem.what);
+    }
     summary_.bytes_lost += problem.bytes_lost;
     on_problem_(problem);
 }

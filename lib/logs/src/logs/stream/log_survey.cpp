@@ -4,6 +4,8 @@
 #include <optional>
 #include <utility>
 
+#include "logs/stream/topic_names.hpp"
+
 namespace ddtool {
 namespace {
 
@@ -18,16 +20,19 @@ public:
         extent_ns_ = static_cast<double>(message.log_time_ns) - static_cast<double>(*first_ns_);
         has_information_ = has_information_ || is_information(*message.channel);
         const MessageKind kind = kind_of(*message.channel);
-        const auto [entry, is_new] =
-            topics_.try_emplace(message.channel->topic,
-                                TopicSurvey{message.channel->topic, message.channel->schema.name, kind, "", "", {}});
-        if (is_new) {
-            note_frames(message, entry->second);
+        TopicSurvey& topic = topics_[message.channel->topic];
+        if (topic.topic.empty()) {
+            topic.topic = message.channel->topic;
+            topic.type = message.channel->schema.name;
+            topic.kind = kind;
         }
-        if (kind == MessageKind::transforms) {
-            note_transforms(message);
-        } else if (kind == MessageKind::scan) {
-            note_scan(message, entry->second);
+        if (kind != topic.kind) {
+            return;  // a topic of two types is what it is first
+        }
+        if (kind == MessageKind::scan) {
+            note_scan(message, topic);
+        } else if (kind != MessageKind::other) {
+            note_poses(message, topic);
         }
     }
 
@@ -52,23 +57,32 @@ private:
         return std::any_of(topics_.begin(), topics_.end(),
                            [](const auto& entry) { return entry.second.kind == MessageKind::scan; });
     }
-    static void note_frames(const McapMessage& message, TopicSurvey& topic) {
-        if (topic.kind == MessageKind::scan) {
-            topic.frame_id = decode_scan(message).value_or(ScanReading{}).frame_id;
-        } else if (topic.kind == MessageKind::odometry) {
-            const auto poses = decode_poses(message);
-            topic.frame_id = poses ? poses->front().frame_id : "";
-            topic.child_frame_id = poses ? poses->front().child_frame_id : "";
-        }
-    }
     static void note_scan(const McapMessage& message, TopicSurvey& topic) {
-        if (const std::optional<ScanReading> reading = decode_scan(message)) {
-            topic.piles.add(reading->scan);
+        const std::optional<ScanReading> reading = decode_scan(message);
+        if (!reading) {
+            return;
+        }
+        topic.piles.add(reading->scan);
+        topic.change.add(reading->scan);
+        topic.clock.add(reading->scan.stamp_ns, message.log_time_ns);
+        std::vector<std::string>& frames = topic.scan_frames;
+        if (frames.size() < TopicSurvey::max_frames && std::ranges::count(frames, reading->frame_id) == 0) {
+            frames.push_back(reading->frame_id);
         }
     }
-    void note_transforms(const McapMessage& message) {
-        for (const PoseReading& transform : decode_poses(message).value_or(std::vector<PoseReading>{})) {
-            transforms_.set(transform);
+    void note_poses(const McapMessage& message, TopicSurvey& topic) {
+        for (const PoseReading& reading : decode_poses(message).value_or(std::vector<PoseReading>{})) {
+            const FramePair frames{reading.frame_id, reading.child_frame_id};
+            if (topic.kind != MessageKind::transforms) {
+                // One track for the topic, whose messages may name the frames differently.
+                (topic.tracks.empty() ? topic.tracks[frames] : topic.tracks.begin()->second)
+                    .add(reading, message.log_time_ns);
+                continue;
+            }
+            if (topic.tracks.size() < TopicSurvey::max_frames || topic.tracks.contains(frames)) {
+                topic.tracks[frames].add(reading, message.log_time_ns);
+            }
+            transforms_[transform_namespace(topic.topic)].set(reading);
         }
     }
 
@@ -76,7 +90,7 @@ private:
     std::optional<std::int64_t> first_ns_;
     double extent_ns_ = 0.0;
     std::map<std::string, TopicSurvey> topics_;
-    TransformTree transforms_;
+    std::map<std::string, TransformTree> transforms_;
     bool has_information_ = false;
 };
 

@@ -3,30 +3,41 @@
 #include <cstdint>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "ddtool/logs/log_stream.hpp"
 #include "logs/containers/message_source.hpp"
 #include "logs/messages/message_decoder.hpp"
 #include "logs/stream/no_return.hpp"
+#include "logs/stream/scan_change.hpp"
+#include "logs/stream/track_survey.hpp"
 #include "logs/stream/transform_tree.hpp"
 
 namespace ddtool {
 
+/// The names of the parent and the child of a transform.
+using FramePair = std::pair<std::string, std::string>;
+
 struct TopicSurvey {
+    static constexpr std::size_t max_frames = 64;  ///< because in a damaged log every message may name another one
+
     std::string topic;
     std::string type;  ///< the schema's name
     MessageKind kind = MessageKind::other;
-    std::string frame_id;        ///< of the first message
-    std::string child_frame_id;  ///< of the first message
-    RangePiles piles;            ///< of all scans
+    std::vector<std::string> scan_frames;     ///< of scans, in the order in which they are first named
+    RangePiles piles;                         ///< of all scans
+    ScanChange change;                        ///< of all scans
+    ClockLag clock;                           ///< of all scans
+    std::map<FramePair, TrackSurvey> tracks;  ///< of odometry, poses and transforms
 };
 
 /// The topics and transforms of a log, or of its beginning.
 struct LogSurvey {
     std::vector<TopicSurvey> topics;  ///< by name
     bool has_information = false;     ///< is_information() is true for a channel
-    TransformTree transforms;         ///< the latest transform of each frame
+    /// The latest transform of each frame, by transform_namespace() of its topic.
+    std::map<std::string, TransformTree> transforms;
 };
 
 /// How much of a log is looked through before its first frame.

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <optional>
 
+#include "logs/stream/laser_mounting.hpp"
+
 namespace ddtool {
 namespace {
 
@@ -15,6 +17,15 @@ void take_scan(LogUse& use, const LaserScan& scan) {
     use.beams += scan.ranges_m.size();
     use.returns += static_cast<std::size_t>(
         std::ranges::count_if(scan.ranges_m, [](float range_m) { return std::isfinite(range_m); }));
+}
+
+/// Notes where the laser of a scan is, unless one is known within a millimetre and a milliradian.
+void take_mounting(LogUse& use, const Pose2& robot_from_laser) {
+    constexpr std::size_t most_lasers = 16;
+    const auto same = [&](const Pose2& known) { return is_same_mounting(known, robot_from_laser); };
+    if (use.robot_from_lasers.size() < most_lasers && std::ranges::none_of(use.robot_from_lasers, same)) {
+        use.robot_from_lasers.push_back(robot_from_laser);
+    }
 }
 
 void take_step(LogUse& use, const SensorFrame& before, const SensorFrame& frame) {
@@ -38,7 +49,7 @@ LogUse use_of(LogStream& log, const std::function<void(double)>& on_progress) {
             use.first_ns = frame->scan.stamp_ns;
         }
         use.last_ns = frame->scan.stamp_ns;
-        use.robot_from_laser = frame->robot_from_laser;
+        take_mounting(use, frame->robot_from_laser);
         use.with_ground_truth += frame->world_from_robot ? 1 : 0;
         before = std::move(frame);
         on_progress(log.fraction_read());

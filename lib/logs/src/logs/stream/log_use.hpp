@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <functional>
 #include <limits>
+#include <vector>
 
 #include "ddtool/logs/log_stream.hpp"
 
@@ -13,10 +14,10 @@ struct LogUse {
     LogSummary summary;
     std::size_t fewest_beams = std::numeric_limits<std::size_t>::max();
     std::size_t most_beams = 0;
-    double field_of_view_rad = 0.0;  ///< of the last scan, from its first beam to its last
-    double range_max_m = 0.0;        ///< of the last scan
-    Pose2 robot_from_laser;          ///< of the last scan
-    std::int64_t first_ns = 0;       ///< stamps of the first and the last scan
+    double field_of_view_rad = 0.0;        ///< of the last scan, from its first beam to its last
+    double range_max_m = 0.0;              ///< of the last scan
+    std::vector<Pose2> robot_from_lasers;  ///< all that differ, in the order of the scans; at most 16
+    std::int64_t first_ns = 0;             ///< stamps of the first and the last scan
     std::int64_t last_ns = 0;
     double longest_gap_s = 0.0;         ///< between the stamps of two scans
     std::size_t stamps_back = 0;        ///< scans whose stamp is earlier than that of the previous scan

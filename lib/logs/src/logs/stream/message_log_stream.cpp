@@ -14,6 +14,11 @@ double seconds_between(std::int64_t a_ns, std::int64_t b_ns) {
     return std::abs(static_cast<double>(a_ns) - static_cast<double>(b_ns)) * 1e-9;
 }
 
+/// Computed without signs, because the stamps of a damaged log may be at the ends of what a signed number can hold.
+std::int64_t moved(std::int64_t stamp_ns, std::int64_t by_ns) {
+    return static_cast<std::int64_t>(static_cast<std::uint64_t>(stamp_ns) + static_cast<std::uint64_t>(by_ns));
+}
+
 }  // namespace
 
 MessageLogStream::MessageLogStream(const OpenSource& open, Opening opening, std::string format, std::string file,
@@ -30,6 +35,9 @@ MessageLogStream::MessageLogStream(const OpenSource& open, Opening opening, std:
     summary_.has_odometry = !plan_.odom_topic.empty();
     summary_.ground_truth_topic = plan_.ground_truth_topic;
     summary_.assumptions = plan_.assumptions;
+    for (const std::string& fault : plan_.faults) {
+        report({fault});
+    }
 }
 
 void MessageLogStream::survey(const OpenSource& open, const LogOptions& options) {
@@ -87,7 +95,13 @@ void MessageLogStream::take_scan(const McapMessage& message) {
         return;
     }
     WaitingScan scan;
-    if (const auto fault = place_scan(std::move(*reading), plan_.robot_from_laser, plan_.ranges, scan.frame)) {
+    const Eigen::Isometry3d* robot_from_laser = mounting_of(reading->frame_id);
+    if (robot_from_laser == nullptr) {
+        report_message(message,
+                       "a scan in the frame '" + reading->frame_id + "', which no transform places on the robot,");
+        return;
+    }
+    if (const auto fault = place_scan(std::move(*reading), *robot_from_laser, plan_.ranges, scan.frame)) {
         report_message(message, *fault);
         return;
     }
@@ -105,11 +119,18 @@ void MessageLogStream::take_odometry(const McapMessage& message) {
         return;
     }
     for (const PoseReading& reading : *readings) {
-        if (is_odometry(reading)) {
+        if (is_odometry(reading) && has_rotation(reading, message)) {
             ++summary_.odometry;
-            odometry_.add({reading.stamp_ns, to_pose2(reading.frame_from_child)});
+            const std::int64_t stamp_ns = moved(reading.stamp_ns, plan_.odom_clock_offset_ns);
+            const Pose2 odom_from_robot = resets_.follow({stamp_ns, to_pose2(reading.frame_from_child)});
+            if (const auto& jump = resets_.last_jump()) {
+                report({file_ + ": the odometry " + plan_.odom_topic + " " + OdometryResets::text(*jump) + " (near " +
+                            message.offset_unit + " " + std::to_string(message.file_offset) + ")",
+                        message.file_offset});
+            }
+            odometry_.add({stamp_ns, odom_from_robot});
             for (WaitingScan& scan : waiting_) {
-                scan.has_odometry = scan.has_odometry || scan.frame.scan.stamp_ns <= reading.stamp_ns;
+                scan.has_odometry = scan.has_odometry || scan.frame.scan.stamp_ns <= stamp_ns;
             }
         }
     }
@@ -122,6 +143,9 @@ void MessageLogStream::take_ground_truth(const McapMessage& message) {
         return;
     }
     for (const PoseReading& reading : *readings) {
+        if (!has_rotation(reading, message)) {
+            continue;
+        }
         ++summary_.ground_truth;
         ground_truth_.add({reading.stamp_ns, to_pose2(reading.frame_from_child)});
         for (WaitingScan& scan : waiting_) {
@@ -141,6 +165,20 @@ void MessageLogStream::take_information(const McapMessage& message) {
         }
         scan.has_information = scan.has_information || scan.frame.scan.stamp_ns <= message.log_time_ns;
     }
+}
+
+bool MessageLogStream::has_rotation(const PoseReading& reading, const McapMessage& message) {
+    if (!reading.has_rotation) {
+        report_message(message, "a pose whose rotation is 0,0,0,0 or no number");
+    }
+    return reading.has_rotation;
+}
+
+const Eigen::Isometry3d* MessageLogStream::mounting_of(const std::string& frame_id) const {
+    if (const auto known = plan_.robot_from_laser.find(frame_id); known != plan_.robot_from_laser.end()) {
+        return &known->second;
+    }
+    return plan_.robot_from_other_laser ? &*plan_.robot_from_other_laser : nullptr;
 }
 
 bool MessageLogStream::is_odometry(const PoseReading& reading) const {

@@ -11,6 +11,7 @@
 #include "ddtool/robot/scan_truth.hpp"
 #include "logs/containers/message_source.hpp"
 #include "logs/stream/log_plan.hpp"
+#include "logs/stream/odometry_resets.hpp"
 #include "logs/stream/pose_track.hpp"
 
 namespace ddtool {
@@ -61,6 +62,10 @@ private:
     void take_odometry(const McapMessage& message);
     void take_ground_truth(const McapMessage& message);
     void take_information(const McapMessage& message);
+    /// Reports the message if not.
+    bool has_rotation(const PoseReading& reading, const McapMessage& message);
+    /// Null if the frame has no known place on the robot.
+    [[nodiscard]] const Eigen::Isometry3d* mounting_of(const std::string& frame_id) const;
     [[nodiscard]] bool is_odometry(const PoseReading& reading) const;
     [[nodiscard]] bool first_is_ready() const;
     SensorFrame release_first();
@@ -71,6 +76,7 @@ private:
     LogPlan plan_;
     std::unique_ptr<MessageSource> source_;
     std::deque<WaitingScan> waiting_;
+    OdometryResets resets_;
     PoseTrack odometry_;
     PoseTrack ground_truth_;
     std::shared_ptr<ScanTruth> truth_;

@@ -50,4 +50,17 @@ bool names_fixed_frame(const std::string& name) {
            any_word(name, [](const std::string& word) { return word == "map" || word == "world" || word == "earth"; });
 }
 
+std::string transform_namespace(const std::string& topic) {
+    const std::size_t slash = topic.rfind('/');
+    if (slash == std::string::npos) {
+        return "";
+    }
+    const std::string last = topic.substr(slash + 1);
+    return last == "tf" || last == "tf_static" ? topic.substr(0, slash) : "";
+}
+
+bool is_in_namespace(const std::string& topic, const std::string& name) {
+    return name.empty() || topic.starts_with(name + "/");
+}
+
 }  // namespace ddtool

@@ -17,4 +17,10 @@ bool names_static(const std::string& name);
 /// Whether the name is that of a frame that does not move with the robot: odom, map, world or earth.
 bool names_fixed_frame(const std::string& name);
 
+/// The namespace of a robot's own transforms: "/robot1" of "/robot1/tf" and "/robot1/tf_static"; empty for every other
+/// topic, whose transforms are for all robots.
+std::string transform_namespace(const std::string& topic);
+/// Whether the topic lies in the namespace: "/robot1/front/scan" in "/robot1". All topics lie in the empty one.
+bool is_in_namespace(const std::string& topic, const std::string& name);
+
 }  // namespace ddtool

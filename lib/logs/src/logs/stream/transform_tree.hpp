@@ -14,14 +14,20 @@ namespace ddtool {
 class TransformTree {
 public:
     void set(const PoseReading& parent_from_child);
+    /// Sets all transforms of another tree.
+    void set(const TransformTree& other);
 
     /// target_from_source along the tree; nullopt if the two frames are not connected.
     [[nodiscard]] std::optional<Eigen::Isometry3d> find(const std::string& target, const std::string& source) const;
     /// The frame, its parent, and so on to the root.
     [[nodiscard]] std::vector<std::string> with_ancestors(const std::string& frame) const;
+    /// The frames on the way from `source` up to `target`, or to the root, whose transform to their parent has no
+    /// rotation in the log (PoseReading::has_rotation), as "parent -> child".
+    [[nodiscard]] std::vector<std::string> without_rotation(const std::string& target, const std::string& source) const;
 
 private:
-    [[nodiscard]] Eigen::Isometry3d root_from(const std::vector<std::string>& frames) const;
+    /// \param frames each the child of the next
+    [[nodiscard]] Eigen::Isometry3d last_from_first(const std::vector<std::string>& frames) const;
 
     std::map<std::string, PoseReading> parents_;  ///< by child
 };

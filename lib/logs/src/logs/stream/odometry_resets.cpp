@@ -1,0 +1,77 @@
+#include "logs/stream/odometry_resets.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/text.hpp"
+
+namespace ddtool {
+namespace {
+
+constexpr std::size_t least_steps = 20;
+constexpr double jump_m = 0.3;
+constexpr double jump_rad = 0.5;
+constexpr double times_as_large = 5.0;
+constexpr double times_as_fast = 2.5;
+/// How fast a jump is at least, where a step as fast as `known` has been seen and where it has not.
+struct LeastRates {
+    double known;
+    double of_known;
+    double of_unknown;
+};
+constexpr LeastRates metres_per_s{0.3, 1.5, 3.0};
+constexpr LeastRates rad_per_s{0.3, 3.0, 6.0};
+
+constexpr double shortest_s = 0.01;  ///< stamps that are closer together are jitter
+constexpr double at_origin = 1e-3;   ///< metres and radians
+
+}  // namespace
+
+Pose2 OdometryResets::follow(const StampedPose& odom_from_robot) {
+    last_jump_ = before_ ? find_jump(odom_from_robot) : std::nullopt;
+    if (last_jump_) {
+        continuous_from_logged_ = continuous(before_->pose) * inverse(odom_from_robot.pose);
+    }
+    before_ = odom_from_robot;
+    return continuous(odom_from_robot.pose);
+}
+
+/// Without a jump the pose as it is, to the last bit.
+Pose2 OdometryResets::continuous(const Pose2& logged) const {
+    return continuous_from_logged_ ? *continuous_from_logged_ * logged : logged;
+}
+
+std::string OdometryResets::text(const Jump& jump) {
+    return "jumps by " + fixed_text(jump.distance_m, 2) + " m and " + fixed_text(jump.turn_rad, 2) + " rad in " +
+           fixed_text(jump.duration_s, 2) + " s" + (jump.to_origin ? ", to its origin" : "") +
+           "; this is taken for a reset, not for a motion";
+}
+
+/// Notes the step from the last pose unless it is a jump.
+std::optional<OdometryResets::Jump> OdometryResets::find_jump(const StampedPose& next) {
+    const Pose2 moved = between(before_->pose, next.pose);
+    const double elapsed_s =
+        1e-9 * std::abs(static_cast<double>(next.stamp_ns) - static_cast<double>(before_->stamp_ns));
+    const double duration_s = std::max(elapsed_s, shortest_s);
+    const double distance_m = std::hypot(moved.x_m, moved.y_m);
+    const double turn_rad = std::abs(moved.theta_rad);
+    const Pose2& pose = next.pose;
+    const bool to_origin =
+        std::hypot(pose.x_m, pose.y_m) < at_origin && std::abs(wrap_angle(pose.theta_rad)) < at_origin;
+    const auto is_jump = [&](double size, const Step& largest, double least_size, const LeastRates& least) {
+        const double rate = size / duration_s;
+        const double least_rate = largest.rate < least.known ? least.of_unknown : least.of_known;
+        return size > std::max(least_size, times_as_large * largest.size) &&
+               (to_origin || rate > std::max(least_rate, times_as_fast * largest.rate));
+    };
+    if (steps_ >= least_steps &&
+        (is_jump(distance_m, longest_, jump_m, metres_per_s) || is_jump(turn_rad, widest_, jump_rad, rad_per_s))) {
+        return Jump{distance_m, turn_rad, elapsed_s, to_origin};
+    }
+    ++steps_;
+    longest_ = {std::max(longest_.size, distance_m), std::max(longest_.rate, distance_m / duration_s)};
+    widest_ = {std::max(widest_.size, turn_rad), std::max(widest_.rate, turn_rad / duration_s)};
+    return std::nullopt;
+}
+
+}  // namespace ddtool

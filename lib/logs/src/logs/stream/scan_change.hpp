@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "ddtool/robot/laser_scan.hpp"
+
+namespace ddtool {
+
+/// Tells whether the lidar moved in a log: in several scans, at least half of the beams read another range than in the
+/// first scan. People who walk past a robot that stands change fewer.
+class ScanChange {
+public:
+    /// \param scan ranges as logged
+    void add(const LaserScan& scan);
+    [[nodiscard]] bool moves() const;
+
+private:
+    std::vector<float> first_m_;
+    std::size_t changed_ = 0;  ///< scans
+};
+
+}  // namespace ddtool
