@@ -96,6 +96,10 @@ std::vector<Json> refused_by(const Setting& setting) {
         case Allowed::Kind::flag:
             return {1, "true"};
         case Allowed::Kind::numbers:
+            // Only lists of a fixed length can be too short.
+            if (allowed.count == 0) {
+                return {{1.0, 2.0, nan}, {1.0, 2.0, allowed.most + 1.0}, "1"};
+            }
             return {{1.0}, {1.0, 2.0, nan}, {1.0, 2.0, allowed.most + 1.0}, "1"};
         case Allowed::Kind::text:
         case Allowed::Kind::other:
