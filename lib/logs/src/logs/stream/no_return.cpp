@@ -13,7 +13,8 @@
 namespace ddtool {
 namespace {
 
-constexpr std::size_t least_repeats = 10;
+constexpr std::size_t least_repeats = 10;  ///< fewer equal readings may be chance
+/// A wall is read at the same distance from one place and in some directions; a code from all places and in many.
 constexpr std::uint32_t least_places = 5;
 constexpr int least_directions = 8;                ///< of 64
 constexpr std::size_t scans_without_motion = 100;  ///< so many are counted even if the robot stands still
@@ -24,18 +25,20 @@ constexpr std::int64_t cluster_mm = 50;
 constexpr std::size_t most_in_cluster = 3;
 constexpr std::uint32_t least_share_of_peak =
     20;  ///< a value belongs to a pile if it has this part of its peak or more
+/// A pile stands out if its readings are times_as_many as those of its neighbours, which lie within this many steps of
+/// the lidar's resolution.
 constexpr std::int64_t neighbour_steps = 10;
 constexpr std::int64_t resolution_window_mm = 500;
 constexpr std::uint64_t times_as_many = 4;
 constexpr double share_beyond = 1e-3;       ///< of the readings, that may be farther away than a code beyond the echoes
 constexpr double least_share_among = 5e-3;  ///< of the readings, that a code among the echoes has at least
-constexpr double near_maximum = 0.99;
+constexpr double near_maximum = 0.99;       ///< part of range_max from which a value counts as the maximum itself
 
 std::int64_t millimetres(float range_m) { return std::llround(1e3 * static_cast<double>(range_m)); }
 
 bool is_reading(float range_m) { return std::isfinite(range_m) && range_m > 0.0F && range_m < 1e6F; }
 
-/// Column numbers [first, last) whose value is at most `reach_mm` away.
+/// Column numbers [first, last) whose value lies in low_mm..high_mm.
 template <typename Columns>
 std::pair<std::size_t, std::size_t> within(const Columns& columns, std::int64_t low_mm, std::int64_t high_mm) {
     const auto below = [](const auto& column, std::int64_t mm) { return column.millimetres < mm; };

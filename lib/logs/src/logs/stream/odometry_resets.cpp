@@ -8,7 +8,10 @@
 namespace ddtool {
 namespace {
 
-constexpr std::size_t least_steps = 20;
+constexpr std::size_t least_steps = 20;  ///< before that, nobody knows how far this robot moves between two poses
+/// A step counts as a jump only if it is longer or wider than this, and that many times as large and as fast as the
+/// largest and the fastest step before. Both are asked, because after a gap in the log an ordinary motion is large but
+/// not fast, and between stamps that jitter it is fast but not large.
 constexpr double jump_m = 0.3;
 constexpr double jump_rad = 0.5;
 constexpr double times_as_large = 5.0;
