@@ -183,7 +183,9 @@ std::vector<std::size_t> RangePiles::pile_around(std::size_t peak, const Columns
     std::vector<std::size_t> members;
     const auto [first, last] = within(columns, peak_mm - cluster_mm, peak_mm + cluster_mm);
     for (std::size_t i = first; i < last; ++i) {
-        if (!is_code[i] && columns[i].pile.readings * least_share_of_peak >= columns[peak].pile.readings) {
+        // More frequent ones were looked at before and belong to a wall, whose edge must not be judged by them.
+        if (!is_code[i] && columns[i].pile.readings <= columns[peak].pile.readings &&
+            columns[i].pile.readings * least_share_of_peak >= columns[peak].pile.readings) {
             members.push_back(i);
         }
     }
