@@ -91,6 +91,19 @@ TEST(MapMemory, ALimitThatTheFirstScanExceedsIsAnError) {
     EXPECT_THAT(test::thrown_text<MapTooLarge>([] { run_with(1, 20); }), testing::HasSubstr("do not fit into 1 MiB"));
 }
 
+TEST(MapMemory, IsAlsoKeptForDrawingTheMap) {
+    constexpr int far_cells = 40000;  // 2 km: 40,000 x 40,000 cells, two bytes each, make 3.2 GB
+    OccupancySettings settings;
+    settings.most_memory_mib = 1024;
+    OccupancyGrid grid{settings};
+    grid.reserve({0, 0, 1, 1});
+    EXPECT_THROW(grid.reserve({far_cells, far_cells, far_cells + 1, far_cells + 1}), MapTooLarge);
+    settings.most_memory_mib = 4096;
+    OccupancyGrid roomy{settings};
+    roomy.reserve({0, 0, 1, 1});
+    EXPECT_NO_THROW(roomy.reserve({far_cells, far_cells, far_cells + 1, far_cells + 1}));
+}
+
 TEST(MapMemory, AJumpToNowhereEndsTheRunWithWhatItHas) {
     std::vector<SensorFrame> frames = room_drive();
     const std::size_t good = frames.size() / 2;

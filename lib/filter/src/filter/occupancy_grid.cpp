@@ -100,6 +100,13 @@ void expect_possible(std::int64_t columns, std::int64_t rows, double cell_size_m
     }
 }
 
+/// What drawing a map with a table of so many patches takes at the end of a run: a cell value and a grey per cell, of
+/// all the area between the outermost cells, seen or not.
+std::int64_t picture_bytes(std::int64_t patches) {
+    constexpr auto cells = static_cast<std::int64_t>(Patch::cell_count);
+    return 2 * cells * patches;
+}
+
 /// Throws MapTooLarge if the maps of the process would need more than most_mib with `more` additional bytes. 0 means no
 /// limit.
 void expect_memory(std::int64_t more, std::uint64_t most_mib) {
@@ -120,7 +127,7 @@ void OccupancyGrid::reserve(const CellBox& box) {
     const std::int64_t written = columns.size() * rows.size() * static_cast<std::int64_t>(sizeof(Patch));
     if (columns_ > 0 && columns.first >= first_column_ && rows.first >= first_row_ &&
         columns.end <= first_column_ + columns_ && rows.end <= first_row_ + rows_) {
-        expect_memory(written, settings_.most_memory_mib);
+        expect_memory(written + picture_bytes(std::int64_t{columns_} * rows_), settings_.most_memory_mib);
         return;
     }
     OccupancyGrid larger(settings_);
@@ -131,7 +138,8 @@ void OccupancyGrid::reserve(const CellBox& box) {
     larger.rows_ = std::max(rows.end, fresh ? rows.end : first_row_ + rows_) - larger.first_row_;
     expect_possible(larger.columns_, larger.rows_, settings_.cell_size_m);
     const std::int64_t patches = std::int64_t{larger.columns_} * larger.rows_;
-    expect_memory(written + patches * static_cast<std::int64_t>(sizeof(PatchPointer)), settings_.most_memory_mib);
+    expect_memory(written + patches * static_cast<std::int64_t>(sizeof(PatchPointer)) + picture_bytes(patches),
+                  settings_.most_memory_mib);
     larger.patches_.resize(static_cast<std::size_t>(larger.columns_) * static_cast<std::size_t>(larger.rows_));
     for (int row = 0; row < rows_; ++row) {
         const auto source = patches_.begin() + static_cast<std::ptrdiff_t>(patch_index(0, row));

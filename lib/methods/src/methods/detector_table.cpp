@@ -1,5 +1,6 @@
 #include "ddtool/methods/detector_table.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <utility>
@@ -42,20 +43,45 @@ private:
     double since_answer_m_ = INFINITY;
 };
 
+constexpr const char* in_doubt = "in-doubt";
+constexpr const char* no_gate = "none";
+
 }  // namespace
 
+/// A detector of the library: its name, the gate that it gets unless the settings name another, and how it is made.
+struct DetectorTable::Row {
+    std::string name;
+    const char* gate;
+    Maker make;
+};
+
+/// Detectors that serve as comparisons have no gate, because they have to run at every update.
+const std::vector<DetectorTable::Row>& DetectorTable::rows() {
+    static const std::vector<Row> table{
+        {"none", no_gate, [](const Ingredients&) { return DegeneracyDetector(); }},
+        {"covariance", in_doubt,
+         [](const Ingredients& from) { return covariance_detector(from.settings.covariance_sd_m); }},
+        {"step-spread", in_doubt, [](const Ingredients&) { return step_spread_detector(); }},
+        {"neff", in_doubt, [](const Ingredients&) { return effective_size_detector(); }},
+        {"always", no_gate, [](const Ingredients&) { return always_degenerate(); }},
+        {"oracle", no_gate, [](const Ingredients& from) { return oracle_detector(from.noise, from.truth); }},
+        {shipped_model_name, in_doubt, [](const Ingredients&) { return network_detector(shipped_model()); }},
+    };
+    return table;
+}
+
 DetectorTable::DetectorTable()
-    : makers_{
-          {"none", [](const Ingredients&) { return DegeneracyDetector(); }},
-          {"covariance", [](const Ingredients& from) { return covariance_detector(from.settings.covariance_sd_m); }},
-          {"step-spread", [](const Ingredients&) { return step_spread_detector(); }},
-          {"neff", [](const Ingredients&) { return effective_size_detector(); }},
-          {"always", [](const Ingredients&) { return always_degenerate(); }},
-          {"oracle", [](const Ingredients& from) { return oracle_detector(from.noise, from.truth); }},
-          {shipped_model_name, [](const Ingredients&) { return network_detector(shipped_model()); }},
-      },
-      file_kinds_{{".safetensors",
-                   [](const std::string& file) { return network_detector(load_model(std::filesystem::path(file))); }}} {}
+    : file_kinds_{{".safetensors",
+                   [](const std::string& file) { return network_detector(load_model(std::filesystem::path(file))); }}} {
+    for (const Row& row : rows()) {
+        makers_.emplace(row.name, row.make);
+    }
+}
+
+std::string DetectorTable::usual_gate(const std::string& detector) {
+    const auto row = std::ranges::find(rows(), detector, &Row::name);
+    return row != rows().end() ? row->gate : in_doubt;
+}
 
 std::vector<std::string> DetectorTable::names() const {
     std::vector<std::string> names;
@@ -88,17 +114,13 @@ std::string DetectorTable::model_fingerprint(const std::string& name) const {
     return makers_.contains(name) ? "" : file_fingerprint(name);
 }
 
-std::vector<std::string> gate_names() { return {"in-doubt", "none"}; }
-
-std::string usual_gate(const std::string& detector) {
-    return detector == "none" || detector == "always" || detector == "oracle" ? "none" : "in-doubt";
-}
+std::vector<std::string> gate_names() { return {in_doubt, no_gate}; }
 
 DegeneracyDetector gated(const std::string& gate, DegeneracyDetector detector, const DetectionSettings& settings) {
-    if (gate != "in-doubt" && gate != "none") {
+    if (gate != in_doubt && gate != no_gate) {
         throw UsageError("filter.gate: expected " + joined(gate_names()) + ", not '" + gate + "'");
     }
-    return gate == "none" || !detector ? detector : AskedInDoubt(std::move(detector), settings);
+    return gate == no_gate || !detector ? detector : AskedInDoubt(std::move(detector), settings);
 }
 
 }  // namespace ddtool

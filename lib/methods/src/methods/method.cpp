@@ -132,7 +132,7 @@ MethodParts parts_of(const MethodSettings& settings) {
         }
     }
     if (parts.gate.empty()) {
-        parts.gate = usual_gate(parts.detector);
+        parts.gate = DetectorTable::usual_gate(parts.detector);
     }
     return parts;
 }

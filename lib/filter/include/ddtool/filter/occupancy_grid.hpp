@@ -37,7 +37,8 @@ struct OccupancySettings {
     int free_step = 1;
     int min_log_odds = -30;
     int max_log_odds = 60;
-    /// Limit in MiB on the memory of all maps of the process together, beyond which no map grows; 0 means no limit.
+    /// Limit in MiB on the memory of all maps of the process together, and of drawing the largest of them, beyond which
+    /// no map grows; 0 means no limit.
     std::uint64_t most_memory_mib = 0;
 };
 

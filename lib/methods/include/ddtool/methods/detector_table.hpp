@@ -52,6 +52,9 @@ public:
     /// a file that cannot be loaded.
     [[nodiscard]] DegeneracyDetector make(const std::string& name, const DetectionSettings& settings,
                                           const MotionNoise& noise) const;
+    /// The gate that a detector gets if the settings name none: "none" for the library's detectors none, always and
+    /// oracle, and "in-doubt" for all others, including added ones and those in files.
+    [[nodiscard]] static std::string usual_gate(const std::string& detector);
     /// Fingerprint of the network's weights, which together with the settings determine the detector's answers; empty
     /// for a rule.
     [[nodiscard]] std::string model_fingerprint(const std::string& name) const;
@@ -63,17 +66,17 @@ private:
         const std::shared_ptr<const ScanTruth>& truth;
     };
 
-    std::map<std::string, std::function<DegeneracyDetector(const Ingredients&)>> makers_;
+    using Maker = std::function<DegeneracyDetector(const Ingredients&)>;
+    struct Row;
+    static const std::vector<Row>& rows();
+
+    std::map<std::string, Maker> makers_;
     std::map<std::string, FileMaker> file_kinds_;
     std::shared_ptr<const ScanTruth> truth_;
 };
 
 /// The names of the gates: in-doubt and none. A gate decides at which updates a detector runs.
 std::vector<std::string> gate_names();
-
-/// The gate that a detector gets if the settings name none: "none" for the detectors none, always and oracle, which
-/// serve as comparisons and have to run at every update, and "in-doubt" for all others.
-std::string usual_gate(const std::string& detector);
 
 /// Puts the detector behind the gate of that name. An empty detector stays empty. Throws UsageError for an unknown
 /// gate.

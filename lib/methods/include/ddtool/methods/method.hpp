@@ -18,9 +18,9 @@ namespace ddtool {
 /// A method of the filter: for each place where methods differ, the name of the part that it uses.
 struct MethodParts {
     std::string detector = "none";
-    std::string gate{};                     ///< when the detector runs: in-doubt, none; empty: its usual_gate()
-    std::string search = "none";            ///< a second search for the match: coarse-fine, correlative
-    std::string trust = "none";             ///< match or odometry: lidar-score, information, eigenvalue-gate, odometry
+    std::string gate{};           ///< when the detector runs: in-doubt, none; empty: DetectorTable::usual_gate()
+    std::string search = "none";  ///< a second search for the match: coarse-fine, correlative
+    std::string trust = "none";   ///< match or odometry: lidar-score, information, eigenvalue-gate, odometry
     std::string resampling = "systematic";  ///< or enhanced
     std::string odometry = "as-logged";     ///< or learnt
 };
