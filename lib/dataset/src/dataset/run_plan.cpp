@@ -146,8 +146,9 @@ private:
         entry.seed = filter.rbpf.seed;
         entry.particles = filter.rbpf.particles;
         entry.method = filter.method.method;
-        entry.update_distance_m = filter.rbpf.update_distance_m;
-        entry.update_turn_rad = filter.rbpf.update_turn_rad;
+        const UpdateMotion motion = update_motion(filter);
+        entry.update_distance_m = motion.distance_m;
+        entry.update_turn_rad = motion.turn_rad;
         return entry;
     }
 
@@ -157,8 +158,11 @@ private:
             filter["particles"] = *variant.particles;
         }
         if (variant.update_distance) {
-            filter["update_distance_m"] = variant.update_distance->distance_m;
-            filter["update_turn_rad"] = variant.update_distance->turn_rad;
+            // for either filter, whichever the method uses
+            for (Json* const group : {&filter, &filter["gmapping"]}) {
+                (*group)["update_distance_m"] = variant.update_distance->distance_m;
+                (*group)["update_turn_rad"] = variant.update_distance->turn_rad;
+            }
         }
         if (variant.method) {
             filter["method"] = *variant.method;

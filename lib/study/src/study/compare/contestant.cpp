@@ -33,7 +33,7 @@ public:
 
 private:
     ThreadPool threads_{1};
-    std::unique_ptr<Rbpf> filter_;
+    std::unique_ptr<ParticleFilter> filter_;
 };
 
 /// The trajectory that another program computed from the same log.
