@@ -32,7 +32,7 @@ std::set<std::string> ids_of(const RunPlan& plan) {
 const Json mix{{"particles", {15, 30, 60}},
                {"lidars", {"ls-m10p", "sick-lms"}},
                {"update_distances", {{0.5, 0.25}}},
-               {"methods", {"gmapping", "paper"}}};
+               {"methods", {"rbpf", "paper"}}};
 
 TEST(PlanRuns, DrawsEachRunFromTheMix) {
     const Json worlds = Json::array({{{"world", "random:office:{seed}"}, {"seeds", {{"first", 5}, {"count", 40}}}}});
