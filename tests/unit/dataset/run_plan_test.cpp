@@ -88,6 +88,18 @@ TEST(PlanRuns, IdsAreThoseOfTheVersionsBefore) {
         << "an id decides which snapshots are kept, so that another id is another data set";
 }
 
+TEST(PlanRuns, UpdateDistancesAreThoseOfTheMethodsFilter) {
+    for (const char* method : {"rbpf", "gmapping"}) {
+        Json one = mix;
+        one["methods"] = {method};
+        const RunPlan drawn = planned({{"worlds", {"s1"}}, {"mix", one}});
+        EXPECT_EQ(drawn.runs.front().entry.update_distance_m, 0.5) << method;
+        EXPECT_EQ(drawn.runs.front().entry.update_turn_rad, 0.25) << method;
+    }
+    const RunPlan plain = planned({{"worlds", {"s1"}}, {"filter", {{"method", "gmapping"}}}});
+    EXPECT_EQ(plain.runs.front().entry.update_distance_m, GmappingSettings{}.update_distance_m);
+}
+
 TEST(PlanRuns, EqualRunsAreOne) { EXPECT_EQ(planned({{"worlds", {"s1", "s1"}}}).runs.size(), 1U); }
 
 TEST(PlanRuns, ATexturedWorldIsTheSceneOfThePlainOne) {

@@ -86,6 +86,25 @@ TEST(Methods, EachPartOfThePapersChangesTheOutcomeAlone) {
     }
 }
 
+TEST(Methods, GmappingTakesADetectorAndNoOtherPart) {
+    FilterSettings settings = settings_of("gmapping");
+    const std::vector<Pose2> plain = poses_of(run(settings));
+    settings.method.parts.detector = "always";
+    EXPECT_EQ(poses_of(run(settings)), plain);
+    settings.method.parts.trust = "information";
+    EXPECT_THAT(test::thrown_text<UsageError>([&] { run(settings); }),
+                testing::HasSubstr("filter.trust: expected none with the method gmapping, not 'information'"));
+}
+
+TEST(Methods, HaveTheirFiltersUpdateMotion) {
+    FilterSettings settings = settings_of("gmapping");
+    settings.gmapping.update_distance_m = 0.7;
+    EXPECT_EQ(update_motion(settings).distance_m, 0.7);
+    EXPECT_EQ(update_motion(settings).turn_rad, settings.gmapping.update_turn_rad);
+    settings.method.method = "rbpf";
+    EXPECT_EQ(update_motion(settings).distance_m, settings.rbpf.update_distance_m);
+}
+
 TEST(Methods, AskTheirDetectorInDoubtUnlessItIsThereToBeComparedWith) {
     const auto gate_of = [](const std::string& method, const std::string& detector, const std::string& gate = "") {
         MethodSettings settings;

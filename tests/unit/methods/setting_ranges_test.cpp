@@ -94,6 +94,9 @@ std::string method_of(const std::string& path) {
     if (group == "correlative") {
         return "dn-csm";
     }
+    if (group == "gmapping") {
+        return "gmapping";
+    }
     return group == "eigenvalue_gate" ? "fisher-gate" : "anti-degeneracy";
 }
 

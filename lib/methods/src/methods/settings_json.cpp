@@ -10,6 +10,7 @@ namespace {
 
 /// Slightly more than pi, so that pi itself is allowed.
 constexpr double half_turn_rad = 3.15;
+constexpr const char* gmapping_name = "gmapping";
 constexpr const char* grisetti = "Grisetti et al. 2007";
 
 const SettingTable<MotionNoise>& motion_rows() {
@@ -304,7 +305,7 @@ const SettingTable<FilterSettings>& filter_rows() {
     static const SettingTable<FilterSettings> rows{
         {&FilterSettings::method, names},
         {&FilterSettings::rbpf, rbpf_rows()},
-        {"gmapping", &FilterSettings::gmapping, gmapping_rows()},
+        {gmapping_name, &FilterSettings::gmapping, gmapping_rows()},
         {&FilterSettings::method, parts},
     };
     return rows;
@@ -330,6 +331,13 @@ Json common_filter_json() {
     Json json = filter_settings_json({});
     json.erase("seed");
     return json;
+}
+
+Json without_other_filters(Json filter) {
+    if (filter.at("method") != gmapping_name) {
+        filter.erase(gmapping_name);
+    }
+    return filter;
 }
 
 FilterSettings filter_settings_from_json(const Json& json) {
