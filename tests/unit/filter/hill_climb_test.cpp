@@ -139,7 +139,7 @@ TEST(HillClimb, ScoresTheExponentialOfTheSquaredDistance) {
     for (const double width_m2 : {1e-6, 1e-4, 0.001, 0.05, 3.0}) {
         HillClimbSettings settings;
         settings.score_width_m2 = width_m2;
-        const double mean_m = static_cast<double>(1.0F);
+        constexpr double mean_m = 1.0;  // in single precision, too
         const double expected = std::exp(-std::pow(mean_m + distance_m - mean_m, 2) / width_m2);
         const double score = HillClimb(settings).fit(map, std::vector<Point2>{{mean_m + distance_m, 0.0}}, {}).score;
         EXPECT_NEAR(score, expected, 1e-12 * expected) << width_m2;

@@ -10,8 +10,8 @@ namespace ddtool {
 /// writable() reads synchronises with the release by other owners, so a thread that finds itself the only owner may
 /// write. A single CopyOnWrite must not be used by two threads at once. A Content counts its owners in a member
 /// `owners`, a std::atomic<std::uint32_t> that is 1 in every new object, copies included.
-// NOLINTNEXTLINE(cppcoreguidelines-special-member-functions): the one assignment copies and moves.
 template <typename Content>
+// NOLINTNEXTLINE(cppcoreguidelines-special-member-functions): the one assignment copies and moves.
 class CopyOnWrite {
 public:
     CopyOnWrite() noexcept : patch_(empty_patch()) { add_owner(); }
