@@ -16,6 +16,6 @@ int main(int, char** argv) {
             std::cout << update->pose.x_m << ' ' << update->pose.y_m << ' ' << update->degeneracy.degree << '\n';
         }
     }
-    const ddtool::CellBox box = filter->best().grid.observed_box();
+    const ddtool::CellBox box = filter->map().observed_box();
     std::cout << "map of " << box.x_max - box.x_min << " x " << box.y_max - box.y_min << " cells\n";
 }

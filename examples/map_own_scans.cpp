@@ -33,7 +33,7 @@ int main() {
             degree = update->degeneracy.degree;
         }
     }
-    const ddtool::OccupancyGrid& map = filter->best().grid;
+    const ddtool::OccupancyGrid& map = filter->map();
     const ddtool::Cell wall{static_cast<int>(std::floor(4.0 / map.cell_size_m())), 0};
     std::cout << "x " << filter->pose().x_m << ", degree " << degree << ", wall "
               << (map.occupied(wall) || map.occupied({wall.x - 1, 0})) << '\n';

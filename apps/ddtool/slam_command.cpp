@@ -51,7 +51,7 @@ struct Served {
 
 /// Runs the filter over the scans. The filter is destroyed at the end, so that the memory of its particles can be
 /// returned before the pictures are drawn.
-FilterRun run_over(DrivenScans& scans, std::unique_ptr<Rbpf> filter, const InterruptRequest& interrupt,
+FilterRun run_over(DrivenScans& scans, std::unique_ptr<ParticleFilter> filter, const InterruptRequest& interrupt,
                    RunFolder& folder, Served* served) {
     Progress progress("slam", "scans");
     return run_filter(scans, *filter, [&](const SensorFrame& frame, const std::optional<Update>& update) {
@@ -111,7 +111,7 @@ ExitCode slam(const SlamRequest& request, const Json& settings) {
     DetectorTable detectors = all_detectors();
     detectors.know(truth);
     // The detector is made before the log is opened, because a detector that needs LibTorch starts the command anew.
-    std::unique_ptr<Rbpf> filter = make_filter(filter_settings, detectors, threads);
+    std::unique_ptr<ParticleFilter> filter = make_filter(filter_settings, detectors, threads);
     const auto served = request.serve ? std::make_unique<Served>(request.address, request.port) : nullptr;
     LogReport problems;
     const InterruptRequest interrupt;

@@ -81,11 +81,11 @@ double error_m(const sim::World& world, const std::string& method, std::uint64_t
 void expect_default_far_better(const sim::World& world, double most_m) {
     std::map<std::string, double> errors_m;
     for (const std::string& method : method_names()) {
-        const bool compared = method == MethodSettings{}.method || method == "gmapping";
+        const bool compared = method == MethodSettings{}.method || method == "rbpf";
         errors_m[method] = error_m(world, method, compared ? 3 : 1);
         EXPECT_LT(errors_m[method], most_m) << method;
     }
-    EXPECT_LT(errors_m.at(MethodSettings{}.method), 0.6 * errors_m.at("gmapping"));
+    EXPECT_LT(errors_m.at(MethodSettings{}.method), 0.6 * errors_m.at("rbpf"));
 }
 
 TEST(Places, InARoomEveryMethodKnowsWhereItIsAndTheDefaultAsWellAsThePlainFilter) {
@@ -94,7 +94,7 @@ TEST(Places, InARoomEveryMethodKnowsWhereItIsAndTheDefaultAsWellAsThePlainFilter
         errors_m[method] = error_m(a_room(), method, 1);
         EXPECT_LT(errors_m[method], method == "odometry" ? 0.3 : 0.05) << method;
     }
-    EXPECT_LT(errors_m.at(MethodSettings{}.method), errors_m.at("gmapping") + 0.003);
+    EXPECT_LT(errors_m.at(MethodSettings{}.method), errors_m.at("rbpf") + 0.003);
 }
 
 TEST(Places, InACorridorTheDefaultIsFarBetterThanThePlainFilter) { expect_default_far_better(a_corridor(), 3.0); }

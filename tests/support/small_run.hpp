@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ddtool/filter/filter_run.hpp"
+#include "ddtool/filter/rbpf.hpp"
 #include "sim/simulated_stream.hpp"
 
 namespace ddtool::test {

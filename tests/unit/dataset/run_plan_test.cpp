@@ -32,7 +32,7 @@ std::set<std::string> ids_of(const RunPlan& plan) {
 const Json mix{{"particles", {15, 30, 60}},
                {"lidars", {"ls-m10p", "sick-lms"}},
                {"update_distances", {{0.5, 0.25}}},
-               {"methods", {"gmapping", "paper"}}};
+               {"methods", {"rbpf", "paper"}}};
 
 TEST(PlanRuns, DrawsEachRunFromTheMix) {
     const Json worlds = Json::array({{{"world", "random:office:{seed}"}, {"seeds", {{"first", 5}, {"count", 40}}}}});
@@ -86,6 +86,18 @@ TEST(PlanRuns, IdsAreThoseOfTheVersionsBefore) {
                         {"simulation", {{"lidar", {{"beams", 60}, {"rate_hz", 2.0}}}}}};
     EXPECT_EQ(ids_of(planned(settings)), (std::set<std::string>{"06ed51f0289efcf3", "aeaa0d8ece8d61e2"}))
         << "an id decides which snapshots are kept, so that another id is another data set";
+}
+
+TEST(PlanRuns, UpdateDistancesAreThoseOfTheMethodsFilter) {
+    for (const char* method : {"rbpf", "gmapping"}) {
+        Json one = mix;
+        one["methods"] = {method};
+        const RunPlan drawn = planned({{"worlds", {"s1"}}, {"mix", one}});
+        EXPECT_EQ(drawn.runs.front().entry.update_distance_m, 0.5) << method;
+        EXPECT_EQ(drawn.runs.front().entry.update_turn_rad, 0.25) << method;
+    }
+    const RunPlan plain = planned({{"worlds", {"s1"}}, {"filter", {{"method", "gmapping"}}}});
+    EXPECT_EQ(plain.runs.front().entry.update_distance_m, GmappingSettings{}.update_distance_m);
 }
 
 TEST(PlanRuns, EqualRunsAreOne) { EXPECT_EQ(planned({{"worlds", {"s1", "s1"}}}).runs.size(), 1U); }

@@ -60,23 +60,23 @@ TEST(Methods, OdometryIsTheOdometry) {
 }
 
 TEST(Methods, AreTheirParts) {
-    FilterSettings as_parts = settings_of("gmapping");
+    FilterSettings as_parts = settings_of("rbpf");
     as_parts.method.parts = parts_of(settings_of("paper").method);
     EXPECT_EQ(poses_of(run(as_parts)), poses_of(run(settings_of("paper"))));
 }
 
-TEST(Methods, WithoutTheirPartsAreGmapping) {
+TEST(Methods, WithoutTheirPartsAreThePlainFilter) {
     for (const char* name : {"paper", "anti-degeneracy", "fisher-gate"}) {
         FilterSettings settings = settings_of(name);
-        settings.method.parts = parts_of(settings_of("gmapping").method);
-        EXPECT_EQ(poses_of(run(settings)), poses_of(run(settings_of("gmapping")))) << name;
+        settings.method.parts = parts_of(settings_of("rbpf").method);
+        EXPECT_EQ(poses_of(run(settings)), poses_of(run(settings_of("rbpf")))) << name;
     }
 }
 
 TEST(Methods, EachPartOfThePapersChangesTheOutcomeAlone) {
     const MethodParts paper = parts_of(settings_of("paper").method);
     for (const auto part : {&MethodParts::search, &MethodParts::trust, &MethodParts::resampling}) {
-        FilterSettings settings = settings_of("gmapping");
+        FilterSettings settings = settings_of("rbpf");
         settings.rbpf.resample_share = 1.0;
         settings.rbpf.matcher.max_iterations = 0;  // leaves something for the search to improve
         const std::vector<Pose2> without = poses_of(run(settings));
@@ -84,6 +84,25 @@ TEST(Methods, EachPartOfThePapersChangesTheOutcomeAlone) {
         settings.method.parts.*part = paper.*part;
         EXPECT_NE(poses_of(run(settings)), without) << paper.*part;
     }
+}
+
+TEST(Methods, GmappingTakesADetectorAndNoOtherPart) {
+    FilterSettings settings = settings_of("gmapping");
+    const std::vector<Pose2> plain = poses_of(run(settings));
+    settings.method.parts.detector = "always";
+    EXPECT_EQ(poses_of(run(settings)), plain);
+    settings.method.parts.trust = "information";
+    EXPECT_THAT(test::thrown_text<UsageError>([&] { run(settings); }),
+                testing::HasSubstr("filter.trust: expected none with the method gmapping, not 'information'"));
+}
+
+TEST(Methods, HaveTheirFiltersUpdateMotion) {
+    FilterSettings settings = settings_of("gmapping");
+    settings.gmapping.update_distance_m = 0.7;
+    EXPECT_EQ(update_motion(settings).distance_m, 0.7);
+    EXPECT_EQ(update_motion(settings).turn_rad, settings.gmapping.update_turn_rad);
+    settings.method.method = "rbpf";
+    EXPECT_EQ(update_motion(settings).distance_m, settings.rbpf.update_distance_m);
 }
 
 TEST(Methods, AskTheirDetectorInDoubtUnlessItIsThereToBeComparedWith) {
@@ -94,7 +113,7 @@ TEST(Methods, AskTheirDetectorInDoubtUnlessItIsThereToBeComparedWith) {
         settings.parts.gate = gate;
         return parts_of(settings).gate;
     };
-    for (const char* method : {"anti-degeneracy", "paper", "gmapping"}) {
+    for (const char* method : {"anti-degeneracy", "paper", "rbpf", "gmapping"}) {
         for (const char* detector : {"always", "oracle", "none"}) {
             EXPECT_EQ(gate_of(method, detector), "none") << method << " with " << detector;
             EXPECT_EQ(gate_of(method, detector, "in-doubt"), "in-doubt") << method << " with " << detector;
@@ -110,12 +129,12 @@ TEST(Methods, AskTheirDetectorInDoubtUnlessItIsThereToBeComparedWith) {
 
 TEST(Methods, UnknownNamesAreRefusedWithTheKnownOnes) {
     const auto refusal = [](auto set) {
-        FilterSettings settings = settings_of("gmapping");
+        FilterSettings settings = settings_of("rbpf");
         set(settings.method);
         return test::thrown_text<UsageError>([&] { run(settings); });
     };
     EXPECT_THAT(refusal([](MethodSettings& m) { m.method = "gmaping"; }),
-                testing::HasSubstr("filter.method: expected gmapping, paper, anti-degeneracy"));
+                testing::HasSubstr("filter.method: expected gmapping, rbpf, paper, anti-degeneracy"));
     EXPECT_THAT(refusal([](MethodSettings& m) { m.parts.search = "wide"; }),
                 testing::HasSubstr("filter.search: expected none, coarse-fine, correlative, not 'wide'"));
     EXPECT_THAT(refusal([](MethodSettings& m) { m.parts.trust = "x"; }), testing::HasSubstr("filter.trust: expected"));

@@ -94,6 +94,9 @@ std::string method_of(const std::string& path) {
     if (group == "correlative") {
         return "dn-csm";
     }
+    if (group == "gmapping") {
+        return "gmapping";
+    }
     return group == "eigenvalue_gate" ? "fisher-gate" : "anti-degeneracy";
 }
 
@@ -119,7 +122,7 @@ TEST(SettingRanges, HoldNoValuesThatTogetherGivePosesThatAreNoNumbers) {
     RandomStream random{2};
     std::size_t tried = 0;
     for (int draw = 0; draw < 60; ++draw) {
-        const std::array<const char*, 4> methods{"anti-degeneracy", "paper", "gmapping", "fisher-gate"};
+        const std::array<const char*, 4> methods{"anti-degeneracy", "paper", "rbpf", "fisher-gate"};
         Json json = few_particles_of(methods.at(random.index(methods.size())));
         if (random.uniform() < 0.5) {
             json["trust"] = "information";

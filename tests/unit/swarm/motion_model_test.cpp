@@ -13,12 +13,12 @@ constexpr MotionNoise no_noise{0.0, 0.0, 0.0, 0.0};
 TEST(SampleMotion, WithoutNoiseIsTheOdometryMotion) {
     RandomStream random({1});
     const Pose2 motion{0.4, -0.1, 0.3};
-    EXPECT_EQ(sample_motion(motion, no_noise, random), motion);
+    EXPECT_EQ(sample_motion(motion, motion_sigmas(motion, no_noise), random), motion);
 }
 
 TEST(SampleMotion, StandingStillSpreadsNothing) {
     RandomStream random({1});
-    EXPECT_EQ(sample_motion({}, MotionNoise{}, random), Pose2{});
+    EXPECT_EQ(sample_motion({}, motion_sigmas({}, MotionNoise{}), random), Pose2{});
 }
 
 TEST(SampleMotion, HasTheStatedSpreadAlongTheMotion) {
@@ -28,7 +28,7 @@ TEST(SampleMotion, HasTheStatedSpreadAlongTheMotion) {
     double sum_of_squares = 0.0;
     for (std::uint64_t sample = 0; sample < samples; ++sample) {
         RandomStream random({7, sample});
-        const double x = sample_motion({1.0, 0.0, 0.0}, noise, random).x_m;
+        const double x = sample_motion({1.0, 0.0, 0.0}, motion_sigmas({1.0, 0.0, 0.0}, noise), random).x_m;
         sum += x;
         sum_of_squares += x * x;
     }
@@ -47,17 +47,30 @@ TEST(MotionSigmas, VariancesAddUpOverSteps) {
     constexpr int steps = 7;
     for (const Pose2& motion :
          {Pose2{1.4, 0.0, 0.0}, Pose2{-0.3, 0.8, 0.0}, Pose2{0.0, 0.0, -1.2}, Pose2{2.0, -0.5, 0.9}}) {
-        const MotionSigmas whole = motion_sigmas(motion, {});
-        const MotionSigmas part = motion_sigmas(part_of(motion, 1.0 / steps), {});
+        const MotionSigmas whole = motion_sigmas(motion, MotionNoise{});
+        const MotionSigmas part = motion_sigmas(part_of(motion, 1.0 / steps), MotionNoise{});
         EXPECT_NEAR(steps * part.x_m * part.x_m, whole.x_m * whole.x_m, 1e-12);
         EXPECT_NEAR(steps * part.y_m * part.y_m, whole.y_m * whole.y_m, 1e-12);
         EXPECT_NEAR(steps * part.theta_rad * part.theta_rad, whole.theta_rad * whole.theta_rad, 1e-12);
     }
 }
 
+TEST(MotionSigmas, OfGMappingGrowInProportionToTheMotion) {
+    constexpr double share = 0.25;
+    const Pose2 motion{1.2, -0.4, 0.6};
+    const MotionSigmas whole = motion_sigmas(motion, LinearMotionNoise{});
+    const MotionSigmas part = motion_sigmas(part_of(motion, share), LinearMotionNoise{});
+    EXPECT_NEAR(part.x_m, share * whole.x_m, 1e-15);
+    EXPECT_NEAR(part.y_m, share * whole.y_m, 1e-15);
+    EXPECT_NEAR(part.theta_rad, share * whole.theta_rad, 1e-15);
+    EXPECT_DOUBLE_EQ(whole.x_m, 0.1 * (1.2 + 0.3 * 0.4) + 0.1 * 0.6);
+    EXPECT_DOUBLE_EQ(whole.y_m, 0.1 * (0.4 + 0.3 * 1.2) + 0.1 * 0.6);
+    EXPECT_DOUBLE_EQ(whole.theta_rad, 0.2 * std::hypot(1.2, 0.4) + 0.2 * 0.6);
+}
+
 TEST(MotionSigmas, DoNotDependOnTheSign) {
-    const MotionSigmas there = motion_sigmas({0.7, -0.2, 0.4}, {});
-    const MotionSigmas back = motion_sigmas({-0.7, 0.2, -0.4}, {});
+    const MotionSigmas there = motion_sigmas({0.7, -0.2, 0.4}, MotionNoise{});
+    const MotionSigmas back = motion_sigmas({-0.7, 0.2, -0.4}, MotionNoise{});
     EXPECT_EQ(there.x_m, back.x_m);
     EXPECT_EQ(there.y_m, back.y_m);
     EXPECT_EQ(there.theta_rad, back.theta_rad);
@@ -70,12 +83,13 @@ struct Spread {
 /// The variances of the final pose after a straight metre that is driven in `steps` steps.
 Spread spread_after_a_metre(int steps, const MotionNoise& noise) {
     constexpr std::uint64_t samples = 20'000;
+    const Pose2 step{1.0 / steps, 0.0, 0.0};
     Spread variance;
     for (std::uint64_t sample = 0; sample < samples; ++sample) {
         RandomStream random({static_cast<std::uint64_t>(steps), sample});
         Pose2 pose;
-        for (int step = 0; step < steps; ++step) {
-            pose = pose * sample_motion({1.0 / steps, 0.0, 0.0}, noise, random);
+        for (int i = 0; i < steps; ++i) {
+            pose = pose * sample_motion(step, motion_sigmas(step, noise), random);
         }
         variance.x += (pose.x_m - 1.0) * (pose.x_m - 1.0) / samples;
         variance.y += pose.y_m * pose.y_m / samples;

@@ -99,7 +99,7 @@ private:
                     {{"world", sim::world_fingerprint(sim::load_world(world))},
                      {"simulation", simulation},
                      {"most_particle_updates", most_particle_updates},
-                     {"filter", filter}});
+                     {"filter", without_other_filters(filter)}});
         }
     }
 
@@ -114,9 +114,10 @@ private:
             const Variant variant = draw_variant(mix, chance(name, seed));
             const Json filter = filter_of(item, variant, seed);
             const FilterSettings filter_settings = filter_settings_from_json(filter);
-            add_run(entry_of(item, filter_settings, name),
-                    LogRun{path, item.at("range_sd_m").get<double>(), filter_settings},
-                    {{"log", content}, {"range_sd_m", item.at("range_sd_m")}, {"filter", filter}});
+            add_run(
+                entry_of(item, filter_settings, name),
+                LogRun{path, item.at("range_sd_m").get<double>(), filter_settings},
+                {{"log", content}, {"range_sd_m", item.at("range_sd_m")}, {"filter", without_other_filters(filter)}});
         }
     }
 
@@ -146,8 +147,9 @@ private:
         entry.seed = filter.rbpf.seed;
         entry.particles = filter.rbpf.particles;
         entry.method = filter.method.method;
-        entry.update_distance_m = filter.rbpf.update_distance_m;
-        entry.update_turn_rad = filter.rbpf.update_turn_rad;
+        const UpdateMotion motion = update_motion(filter);
+        entry.update_distance_m = motion.distance_m;
+        entry.update_turn_rad = motion.turn_rad;
         return entry;
     }
 
@@ -157,8 +159,11 @@ private:
             filter["particles"] = *variant.particles;
         }
         if (variant.update_distance) {
-            filter["update_distance_m"] = variant.update_distance->distance_m;
-            filter["update_turn_rad"] = variant.update_distance->turn_rad;
+            // for either filter, whichever the method uses
+            for (Json* const group : {&filter, &filter["gmapping"]}) {
+                (*group)["update_distance_m"] = variant.update_distance->distance_m;
+                (*group)["update_turn_rad"] = variant.update_distance->turn_rad;
+            }
         }
         if (variant.method) {
             filter["method"] = *variant.method;

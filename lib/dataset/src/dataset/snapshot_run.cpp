@@ -91,7 +91,7 @@ public:
 private:
     SnapshotThinning thinning_;
     ThreadPool threads_{1};  // one thread, because many runs are made at once
-    std::unique_ptr<Rbpf> filter_;
+    std::unique_ptr<ParticleFilter> filter_;
     std::uint64_t scans_ = 0;
     std::uint64_t updates_ = 0;
 };

@@ -5,7 +5,7 @@
 namespace ddtool {
 namespace {
 
-void feed(SensorStream& stream, Rbpf& filter, const FrameObserver& observe, FilterRun& run) {
+void feed(SensorStream& stream, ParticleFilter& filter, const FrameObserver& observe, FilterRun& run) {
     bool wanted = true;
     while (wanted) {
         const std::optional<SensorFrame> frame = timed(run.read_s, [&] { return stream.next(); });
@@ -27,7 +27,7 @@ void feed(SensorStream& stream, Rbpf& filter, const FrameObserver& observe, Filt
 
 }  // namespace
 
-FilterRun run_filter(SensorStream& stream, Rbpf& filter, const FrameObserver& observe) {
+FilterRun run_filter(SensorStream& stream, ParticleFilter& filter, const FrameObserver& observe) {
     FilterRun run;
     try {
         feed(stream, filter, observe, run);
@@ -38,7 +38,7 @@ FilterRun run_filter(SensorStream& stream, Rbpf& filter, const FrameObserver& ob
         run.ended_early = reason.what();
     }
     if (run.updates > 0) {
-        run.map = filter.best().grid;
+        run.map = filter.map();
     }
     run.trajectory = filter.trajectory();
     return run;

@@ -2,6 +2,7 @@
 
 namespace ddtool {
 
-Patch* const PatchPointer::empty_ = new Patch;  // never deleted: it is used as long as the program runs
+template <>
+Patch* const CopyOnWrite<Patch>::empty_ = new Patch;  // never deleted: it is used as long as the program runs
 
 }  // namespace ddtool

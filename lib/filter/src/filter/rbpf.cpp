@@ -116,7 +116,8 @@ void Rbpf::propagate(const Step& step) {
         Particle& particle = particles_[index];
         RandomStream random({settings_.seed, motion_draw, updates_, index});
         particle.pose_before = particle.pose;
-        particle.predicted_motion = sample_motion(step.expected_motion, settings_.motion, random);
+        particle.predicted_motion =
+            sample_motion(step.expected_motion, motion_sigmas(step.expected_motion, settings_.motion), random);
         particle.covariance =
             predicted_covariance(particle.covariance, particle.pose, step.expected_motion, step.sigmas);
     });

@@ -10,21 +10,24 @@
 namespace ddtool {
 namespace {
 
+enum class FilterKind { rbpf, rbpf_of_one_particle, gmapping };
+
 struct Method {
     std::string name;
     MethodParts parts;
-    bool single_hypothesis = false;
+    FilterKind filter = FilterKind::rbpf;
 };
 
 const std::vector<Method>& methods() {
     static const std::vector<Method> table{
-        {"gmapping", {}},
+        {"gmapping", {}, FilterKind::gmapping},
+        {"rbpf", {}},
         {"paper",
          {.detector = "covariance", .search = "coarse-fine", .trust = "lidar-score", .resampling = "enhanced"}},
         {"anti-degeneracy", {.detector = shipped_model_name, .trust = "information", .odometry = "learnt"}},
         {"fisher-gate", {.trust = "eigenvalue-gate"}},
-        {"dn-csm", {.search = "correlative"}, true},
-        {"odometry", {.trust = "odometry"}, true},
+        {"dn-csm", {.search = "correlative"}, FilterKind::rbpf_of_one_particle},
+        {"odometry", {.trust = "odometry"}, FilterKind::rbpf_of_one_particle},
     };
     return table;
 }
@@ -87,17 +90,38 @@ Choices<std::function<std::unique_ptr<OdometryModel>()>> odometry_choices(const 
             {"learnt", [] { return std::make_unique<LearntOdometry>(); }}};
 }
 
+DegeneracyDetector detector_of(const FilterSettings& settings, const DetectorTable& detectors) {
+    const MethodParts parts = parts_of(settings.method);
+    return gated(parts.gate, detectors.make(parts.detector, settings.method.detection, settings.rbpf.motion),
+                 settings.method.detection);
+}
+
 FilterStrategies strategies_of(const FilterSettings& settings, const DetectorTable& detectors) {
     const MethodParts parts = parts_of(settings.method);
     FilterStrategies strategies{
-        .detector = gated(parts.gate, detectors.make(parts.detector, settings.method.detection, settings.rbpf.motion),
-                          settings.method.detection),
+        .detector = detector_of(settings, detectors),
         .corrections = {chosen(search_choices(settings.method), "search", parts.search),
                         chosen(trust_choices(settings.method), "trust", parts.trust)},
         .resampling = chosen(resampling_choices(settings.method), "resampling", parts.resampling),
         .odometry = chosen(odometry_choices(settings), "odometry", parts.odometry)};
     std::erase(strategies.corrections, nullptr);
     return strategies;
+}
+
+/// Throws UsageError unless all parts but the detector are those of the method itself.
+void expect_own_parts(const MethodSettings& settings) {
+    const MethodParts parts = parts_of(settings);
+    const MethodParts own = method_of(settings.method).parts;
+    const auto expect = [&](const char* key, const std::string& used, const std::string& allowed) {
+        if (used != allowed) {
+            throw UsageError(std::string("filter.") + key + ": expected " + allowed + " with the method " +
+                             settings.method + ", not '" + used + "'; other parts go with the method rbpf");
+        }
+    };
+    expect("search", parts.search, own.search);
+    expect("trust", parts.trust, own.trust);
+    expect("resampling", parts.resampling, own.resampling);
+    expect("odometry", parts.odometry, own.odometry);
 }
 
 /// Three quarters of the memory that was free when the process made its first filter. It is determined only once,
@@ -137,13 +161,30 @@ MethodParts parts_of(const MethodSettings& settings) {
     return parts;
 }
 
-std::unique_ptr<Rbpf> make_filter(const FilterSettings& settings, const DetectorTable& detectors, ThreadPool& threads) {
+UpdateMotion update_motion(const FilterSettings& settings) {
+    return method_of(settings.method.method).filter == FilterKind::gmapping
+               ? UpdateMotion{settings.gmapping.update_distance_m, settings.gmapping.update_turn_rad}
+               : UpdateMotion{settings.rbpf.update_distance_m, settings.rbpf.update_turn_rad};
+}
+
+std::unique_ptr<ParticleFilter> make_filter(const FilterSettings& settings, const DetectorTable& detectors,
+                                            ThreadPool& threads) {
     RbpfSettings rbpf = settings.rbpf;
-    if (method_of(settings.method.method).single_hypothesis) {
-        rbpf.particles = 1;
-    }
     if (rbpf.grid.most_memory_mib == 0) {
         rbpf.grid.most_memory_mib = usual_most_memory_mib();
+    }
+    const FilterKind kind = method_of(settings.method.method).filter;
+    if (kind == FilterKind::gmapping) {
+        expect_own_parts(settings.method);
+        GmappingSettings gmapping = settings.gmapping;
+        gmapping.particles = rbpf.particles;
+        gmapping.seed = rbpf.seed;
+        gmapping.grid = rbpf.grid;
+        gmapping.points = rbpf.points;
+        return std::make_unique<GmappingFilter>(gmapping, threads, detector_of(settings, detectors));
+    }
+    if (kind == FilterKind::rbpf_of_one_particle) {
+        rbpf.particles = 1;
     }
     return std::make_unique<Rbpf>(rbpf, threads, strategies_of(settings, detectors));
 }

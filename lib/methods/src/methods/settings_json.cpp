@@ -10,6 +10,7 @@ namespace {
 
 /// Slightly more than pi, so that pi itself is allowed.
 constexpr double half_turn_rad = 3.15;
+constexpr const char* gmapping_name = "gmapping";
 constexpr const char* grisetti = "Grisetti et al. 2007";
 
 const SettingTable<MotionNoise>& motion_rows() {
@@ -107,6 +108,65 @@ const SettingTable<RbpfSettings>& rbpf_rows() {
         {"grid", &Rbpf::grid, grid_rows()},
         {"points", &Rbpf::points, points_rows()},
         {"matcher", &Rbpf::matcher, matcher_rows()},
+    };
+    return rows;
+}
+
+const SettingTable<LinearMotionNoise>& linear_motion_rows() {
+    const Allowed noise = Allowed::number(0.0, 10.0);
+    static const SettingTable<LinearMotionNoise> rows{
+        {"translation_per_translation", &LinearMotionNoise::translation_per_translation, noise, "m/m",
+         "Noise of the way that grows with the way.", "slam_gmapping's srr"},
+        {"translation_per_rotation", &LinearMotionNoise::translation_per_rotation, noise, "m/rad",
+         "Noise of the way that grows with turning.", "slam_gmapping's str"},
+        {"rotation_per_translation", &LinearMotionNoise::rotation_per_translation, noise, "rad/m",
+         "Noise of the heading that grows with the way.", "slam_gmapping's srt"},
+        {"rotation_per_rotation", &LinearMotionNoise::rotation_per_rotation, noise, "rad/rad",
+         "Noise of the heading that grows with turning.", "slam_gmapping's stt"},
+    };
+    return rows;
+}
+
+const SettingTable<HillClimbSettings>& hill_climb_rows() {
+    using Climb = HillClimbSettings;
+    static const SettingTable<Climb> rows{
+        {"step_m", &Climb::step_m, Allowed::number(1e-4, 10.0), "m", "The search begins with steps of this length.",
+         "slam_gmapping's lstep"},
+        {"turn_rad", &Climb::turn_rad, Allowed::number(1e-4, half_turn_rad), "rad",
+         "The search begins with turns of this size.", "slam_gmapping's astep"},
+        {"halvings", &Climb::halvings, Allowed::whole(0, 20), "", "Steps and turns are halved so many times.",
+         "slam_gmapping's iterations"},
+        {"score_width_m2", &Climb::score_width_m2, Allowed::number(1e-6, 100.0), "m^2",
+         "A beam that ends the distance d from the map scores exp(-d^2 / this).", "slam_gmapping's sigma"},
+        {"likelihood_width_m2", &Climb::likelihood_width_m2, Allowed::number(1e-6, 100.0), "m^2",
+         "The log-likelihood of such a beam is -d^2 / this; one that ends where the map has no hits counts as if d^2 "
+         "were 0.5 m^2.",
+         "slam_gmapping's lsigma"},
+    };
+    return rows;
+}
+
+const SettingTable<GmappingSettings>& gmapping_rows() {
+    using Gmapping = GmappingSettings;
+    static const SettingTable<Gmapping> rows{
+        {"update_distance_m", &Gmapping::update_distance_m, Allowed::number(1e-3, 100.0), "m",
+         "The method gmapping updates when the odometry has moved this far since the last update.",
+         "slam_gmapping's linearUpdate"},
+        {"update_turn_rad", &Gmapping::update_turn_rad, Allowed::number(1e-3, 100.0), "rad",
+         "It updates, too, when the odometry has turned this much.", "slam_gmapping's angularUpdate"},
+        {"resample_share", &Gmapping::resample_share, Allowed::number(0.0, 1.0), "",
+         "It resamples when the effective sample size falls below this share of the particles.",
+         "slam_gmapping's resampleThreshold"},
+        {"likelihood_smoothing", &Gmapping::likelihood_smoothing, Allowed::number(1e-3, 1e6), "",
+         "The weights are the likelihoods to the power of one over this and over the number of particles.",
+         "slam_gmapping's ogain"},
+        {"least_score", &Gmapping::least_score, Allowed::number(0.0, 1e6), "",
+         "A match whose score, the sum over its beams, is not above this is dropped for the predicted pose.",
+         "slam_gmapping's minimumScore"},
+        {"usable_range_m", &Gmapping::usable_range_m, Allowed::number(0.0, 800.0), "m",
+         "Longer ranges are left out; 0 stands for the lidar's own range.", "slam_gmapping's maxUrange"},
+        {"motion", &Gmapping::motion, linear_motion_rows()},
+        {"matcher", &Gmapping::matcher, hill_climb_rows()},
     };
     return rows;
 }
@@ -245,6 +305,7 @@ const SettingTable<FilterSettings>& filter_rows() {
     static const SettingTable<FilterSettings> rows{
         {&FilterSettings::method, names},
         {&FilterSettings::rbpf, rbpf_rows()},
+        {gmapping_name, &FilterSettings::gmapping, gmapping_rows()},
         {&FilterSettings::method, parts},
     };
     return rows;
@@ -270,6 +331,13 @@ Json common_filter_json() {
     Json json = filter_settings_json({});
     json.erase("seed");
     return json;
+}
+
+Json without_other_filters(Json filter) {
+    if (filter.at("method") != gmapping_name) {
+        filter.erase(gmapping_name);
+    }
+    return filter;
 }
 
 FilterSettings filter_settings_from_json(const Json& json) {

@@ -12,7 +12,7 @@ constexpr int map_time_share = 20;
 
 }  // namespace
 
-void LiveRun::add(const SensorFrame& frame, const std::optional<Update>& update, const Rbpf& filter) {
+void LiveRun::add(const SensorFrame& frame, const std::optional<Update>& update, const ParticleFilter& filter) {
     if (update) {
         messages_.add(frame, *update);
         add_map(frame.scan.stamp_ns, filter);
@@ -26,12 +26,12 @@ void LiveRun::finish(const MapRaster& map, const Trajectory& path) {
     }
 }
 
-void LiveRun::add_map(std::int64_t stamp_ns, const Rbpf& filter) {
+void LiveRun::add_map(std::int64_t stamp_ns, const ParticleFilter& filter) {
     const Clock::time_point start = Clock::now();
     if (start < map_due_) {
         return;
     }
-    messages_.add_map(stamp_ns, map_raster(filter.best().grid), filter.trajectory());
+    messages_.add_map(stamp_ns, map_raster(filter.map()), filter.trajectory());
     const Clock::time_point end = Clock::now();
     map_due_ = end + std::max<Clock::duration>(least_map_interval, map_time_share * (end - start));
 }

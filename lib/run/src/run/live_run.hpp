@@ -13,14 +13,14 @@ public:
     explicit LiveRun(Ros2Sink& sink) : messages_(sink) {}
 
     /// Call this after the filter has processed the frame. `update` is empty where the frame caused no update.
-    void add(const SensorFrame& frame, const std::optional<Update>& update, const Rbpf& filter);
+    void add(const SensorFrame& frame, const std::optional<Update>& update, const ParticleFilter& filter);
     /// Publishes the map and the path as they are at the end of the run.
     void finish(const MapRaster& map, const Trajectory& path);
 
 private:
     using Clock = std::chrono::steady_clock;
 
-    void add_map(std::int64_t stamp_ns, const Rbpf& filter);
+    void add_map(std::int64_t stamp_ns, const ParticleFilter& filter);
 
     RunMessages messages_;
     Clock::time_point map_due_{};

@@ -11,12 +11,12 @@ constexpr std::int64_t map_interval_share = 10;
 
 }  // namespace
 
-void ResultLog::add(const SensorFrame& frame, const std::optional<Update>& update, const Rbpf& filter) {
+void ResultLog::add(const SensorFrame& frame, const std::optional<Update>& update, const ParticleFilter& filter) {
     const std::int64_t stamp_ns = frame.scan.stamp_ns;
     if (update) {
         messages_.add(frame, *update);
         if (map_is_due(stamp_ns)) {
-            messages_.add_map(stamp_ns, map_raster(filter.best().grid), filter.trajectory());
+            messages_.add_map(stamp_ns, map_raster(filter.map()), filter.trajectory());
             map_written_ns_ = stamp_ns;
         }
         start_ns_ = start_ns_.value_or(stamp_ns);

@@ -16,7 +16,7 @@ public:
     explicit ResultLog(const std::filesystem::path& path) : file_(path) {}
 
     /// Call this after the filter has processed the frame. `update` is empty where the frame caused no update.
-    void add(const SensorFrame& frame, const std::optional<Update>& update, const Rbpf& filter);
+    void add(const SensorFrame& frame, const std::optional<Update>& update, const ParticleFilter& filter);
     /// Writes the map and the path as they are at the end of the run.
     void finish(const MapRaster& map, const Trajectory& path);
     /// Completes the file. If this is never called, no file is left behind.

@@ -28,7 +28,7 @@ RunFolder::RunFolder(std::filesystem::path folder, bool with_snapshots)
     }
 }
 
-void RunFolder::add(const SensorFrame& frame, const std::optional<Update>& update, const Rbpf& filter) {
+void RunFolder::add(const SensorFrame& frame, const std::optional<Update>& update, const ParticleFilter& filter) {
     const StageTimer timer(write_s_);
     result_.add(frame, update, filter);
     online_.add({frame.scan.stamp_ns, filter.pose()});

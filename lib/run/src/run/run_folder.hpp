@@ -26,7 +26,7 @@ public:
     RunFolder(std::filesystem::path folder, bool with_snapshots);
 
     /// Call this after the filter has processed the frame. `update` is empty where the frame caused no update.
-    void add(const SensorFrame& frame, const std::optional<Update>& update, const Rbpf& filter);
+    void add(const SensorFrame& frame, const std::optional<Update>& update, const ParticleFilter& filter);
     /// Writes the trajectories, the map and its picture, and completes the MCAP files.
     void finish(const FilterRun& run, const MapRaster& map);
     void write_json(const std::string& name, const Json& content);

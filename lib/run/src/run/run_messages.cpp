@@ -83,7 +83,7 @@ void RunMessages::write_degeneracy(const UpdateSummary& update) {
                               update.resampled ? 1U : 0U});
 }
 
-void RunMessages::add_pose(std::int64_t stamp_ns, const Rbpf& filter) {
+void RunMessages::add_pose(std::int64_t stamp_ns, const ParticleFilter& filter) {
     const Eigen::Matrix3d covariance = filter.pose_covariance();
     RosPoseWithCovarianceStamped pose{
         .header = {{stamp_ns}, map_frame}, .pose = to_ros_pose(filter.pose()), .covariance = {}};

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "ddtool/filter/rbpf.hpp"
+#include "ddtool/filter/particle_filter.hpp"
 #include "ddtool/robot/sensor_stream.hpp"
 #include "ddtool/robot/trajectory.hpp"
 #include "logs/messages/ros2_sink.hpp"
@@ -22,7 +22,7 @@ public:
     /// Publishes the result of the filter update that the frame caused.
     void add(const SensorFrame& frame, const Update& update);
     /// Publishes where the robot is after the filter has processed a frame, whether or not the frame caused an update.
-    void add_pose(std::int64_t stamp_ns, const Rbpf& filter);
+    void add_pose(std::int64_t stamp_ns, const ParticleFilter& filter);
     /// Publishes the map and the path as they are now.
     void add_map(std::int64_t stamp_ns, const MapRaster& map, const Trajectory& path);
 

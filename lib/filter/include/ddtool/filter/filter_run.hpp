@@ -4,8 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "ddtool/filter/occupancy_grid.hpp"
-#include "ddtool/filter/rbpf.hpp"
+#include "ddtool/filter/particle_filter.hpp"
 #include "ddtool/robot/trajectory.hpp"
 
 namespace ddtool {
@@ -29,6 +28,6 @@ using FrameObserver = std::function<bool(const SensorFrame& frame, const std::op
 /// Feeds the stream to the filter until the stream ends, `observe` returns false, or the maps cannot grow further
 /// (MapTooLarge; FilterRun::ended_early then gives the reason). If there was no scan, the result is empty. Throws
 /// MapTooLarge if even the first scan does not fit into the maps.
-FilterRun run_filter(SensorStream& stream, Rbpf& filter, const FrameObserver& observe);
+FilterRun run_filter(SensorStream& stream, ParticleFilter& filter, const FrameObserver& observe);
 
 }  // namespace ddtool

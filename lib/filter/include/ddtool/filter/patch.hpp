@@ -5,8 +5,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
-#include <utility>
 #include <vector>
+
+#include "ddtool/filter/copy_on_write.hpp"
 
 namespace ddtool {
 
@@ -78,48 +79,9 @@ struct Patch {
     std::atomic<std::uint32_t> owners = 1;
 };
 
-/// Shared ownership of a Patch, one pointer wide. Unlike std::shared_ptr's use_count(), the count that writable() reads
-/// synchronises with the release by other owners, so a thread that finds itself the only owner may write. A single
-/// PatchPointer must not be used by two threads at once.
-// NOLINTNEXTLINE(cppcoreguidelines-special-member-functions): the one assignment copies and moves.
-class PatchPointer {
-public:
-    PatchPointer() noexcept : patch_(empty_patch()) { add_owner(); }
-    PatchPointer(const PatchPointer& other) noexcept : patch_(other.patch_) { add_owner(); }
-    PatchPointer(PatchPointer&& other) noexcept : patch_(std::exchange(other.patch_, nullptr)) {}
-    PatchPointer& operator=(PatchPointer other) noexcept {
-        std::swap(patch_, other.patch_);
-        return *this;
-    }
-    ~PatchPointer() { release(); }
-
-    const Patch& operator*() const { return *patch_; }
-    const Patch* operator->() const { return patch_; }
-    [[nodiscard]] bool empty() const { return patch_ == empty_patch(); }
-
-    /// The patch for writing. If it is shared, this pointer gets its own copy first.
-    Patch& writable() {
-        if (patch_->owners.load(std::memory_order_acquire) != 1) {
-            *this = PatchPointer(new Patch(*patch_));
-        }
-        return *patch_;
-    }
-
-private:
-    explicit PatchPointer(Patch* patch) noexcept : patch_(patch) {}
-    void add_owner() noexcept { patch_->owners.fetch_add(1, std::memory_order_relaxed); }
-    void release() noexcept {
-        if (patch_ != nullptr && patch_->owners.fetch_sub(1, std::memory_order_acq_rel) == 1) {
-            delete patch_;
-        }
-    }
-    /// The patch that stands for unknown ground everywhere. It always has one extra owner, so it is copied before every
-    /// write.
-    static Patch* empty_patch() noexcept { return empty_; }
-    static Patch* const empty_;
-
-    Patch* patch_;
-};
+using PatchPointer = CopyOnWrite<Patch>;
+template <>
+Patch* const CopyOnWrite<Patch>::empty_;
 
 /// The patches of one map, row by row.
 using PatchTable = std::vector<PatchPointer, CountedAllocator<PatchPointer>>;

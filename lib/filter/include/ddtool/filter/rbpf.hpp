@@ -2,16 +2,14 @@
 
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <span>
 #include <vector>
 
 #include "ddtool/base/thread_pool.hpp"
+#include "ddtool/filter/particle_filter.hpp"
 #include "ddtool/filter/path_record.hpp"
 #include "ddtool/filter/scan_insertion.hpp"
 #include "ddtool/filter/strategies.hpp"
-#include "ddtool/filter/update.hpp"
-#include "ddtool/robot/sensor_stream.hpp"
 #include "ddtool/swarm/motion_model.hpp"
 
 namespace ddtool {
@@ -51,29 +49,23 @@ struct Particle {
 
 /// Rao-Blackwellised particle filter with one grid map per particle (Grisetti, Stachniss, Burgard, "Improved techniques
 /// for grid mapping with Rao-Blackwellized particle filters", IEEE T-RO 2007; Thrun, Burgard, Fox, "Probabilistic
-/// robotics", 2005, table 13.4). An object may be used by one thread at a time; inside, the work of an update is spread
-/// over the threads of the pool. The same seed gives the same results, byte for byte, with any number of threads.
-class Rbpf {
+/// robotics", 2005, table 13.4). Inside, the work of an update is spread over the threads of the pool. The same seed
+/// gives the same results, byte for byte, with any number of threads.
+class Rbpf : public ParticleFilter {
 public:
     /// `threads` must outlive the filter.
     Rbpf(const RbpfSettings& settings, ThreadPool& threads, FilterStrategies strategies = {});
 
-    /// Processes the next scan. Returns nothing if the robot has hardly moved since the last update. The first scan
-    /// starts the map and counts as an update. Throws MapTooLarge if the maps cannot take the scan; the trajectory then
-    /// ends before this scan, though the particles already have their poses at it and some of their maps contain it.
-    std::optional<Update> update(const SensorFrame& frame);
+    std::optional<Update> update(const SensorFrame& frame) override;
 
     /// The present hypotheses, after any resampling.
     [[nodiscard]] std::span<const Particle> particles() const { return particles_; }
     /// The particle with the largest likelihood since the last resampling. Needs an update before it.
     [[nodiscard]] const Particle& best() const;
-    /// world_from_robot at the latest scan, from the best particle. Needs an update before it.
-    [[nodiscard]] Pose2 pose() const;
-    /// Covariance of pose() (x, y, theta in the world; m^2, m rad, rad^2): that of the last update plus the uncertainty
-    /// of the odometry since. Needs an update before it.
-    [[nodiscard]] Eigen::Matrix3d pose_covariance() const;
-    /// A pose for every scan so far, from the past of the best particle.
-    [[nodiscard]] Trajectory trajectory() const;
+    [[nodiscard]] const OccupancyGrid& map() const override { return best().grid; }
+    [[nodiscard]] Pose2 pose() const override;
+    [[nodiscard]] Eigen::Matrix3d pose_covariance() const override;
+    [[nodiscard]] Trajectory trajectory() const override;
 
 private:
     /// The motion since the last update.

@@ -18,7 +18,8 @@ struct Update {
     Degeneracy degeneracy;
     /// The same particles after the corrections, before resampling; equal to `matched` where the method has none.
     ParticleSnapshot corrected;
-    /// world_from_robot, of the particle with the largest likelihood since the last resampling.
+    /// world_from_robot, of the best particle: the one with the largest likelihood since the last resampling, or for
+    /// the GmappingFilter since the start.
     Pose2 pose;
     /// Covariance of `pose` (x, y, theta in the world; m^2, m rad, rad^2): the particle's uncertainty in its own map
     /// plus the spread of the particles' poses about it.

@@ -7,6 +7,7 @@
 #include "ddtool/filter/coarse_fine_search.hpp"
 #include "ddtool/filter/correlative_search.hpp"
 #include "ddtool/filter/enhanced_resampling.hpp"
+#include "ddtool/filter/gmapping_filter.hpp"
 #include "ddtool/filter/information_fusion.hpp"
 #include "ddtool/filter/learnt_odometry.hpp"
 #include "ddtool/filter/odometry_trust.hpp"
@@ -37,9 +38,11 @@ struct MethodSettings {
     EnhancedResamplingSettings enhanced_resampling;
 };
 
-/// All settings of a filter.
+/// All settings of a filter. The number of particles, the seed, the grid and the scan points of `rbpf` hold for the
+/// GmappingFilter, too.
 struct FilterSettings {
     RbpfSettings rbpf;
+    GmappingSettings gmapping;
     MethodSettings method;
 };
 
@@ -56,10 +59,19 @@ std::vector<std::string> odometry_names();
 /// UsageError for an unknown method.
 MethodParts parts_of(const MethodSettings& settings);
 
-/// Makes the filter of a method. A method with a single hypothesis gets one particle, whatever the settings say. If the
-/// settings set no memory limit, the maps may take three quarters of the memory that was free on the machine when the
-/// process made its first filter with this default. `threads` must outlive the filter. Throws UsageError for an unknown
-/// name and Error for a detector that cannot be made.
-std::unique_ptr<Rbpf> make_filter(const FilterSettings& settings, const DetectorTable& detectors, ThreadPool& threads);
+/// The motion of the odometry that makes the filter of these settings update.
+struct UpdateMotion {
+    double distance_m = 0.0;
+    double turn_rad = 0.0;
+};
+UpdateMotion update_motion(const FilterSettings& settings);
+
+/// Makes the filter of a method: a GmappingFilter for "gmapping", an Rbpf for all others. A method with a single
+/// hypothesis gets one particle, whatever the settings say. If the settings set no memory limit, the maps may take
+/// three quarters of the memory that was free on the machine when the process made its first filter with this default.
+/// `threads` must outlive the filter. Throws UsageError for an unknown name and for a part that the method cannot have,
+/// and Error for a detector that cannot be made.
+std::unique_ptr<ParticleFilter> make_filter(const FilterSettings& settings, const DetectorTable& detectors,
+                                            ThreadPool& threads);
 
 }  // namespace ddtool

@@ -33,7 +33,7 @@ public:
 
 private:
     ThreadPool threads_{1};
-    std::unique_ptr<Rbpf> filter_;
+    std::unique_ptr<ParticleFilter> filter_;
 };
 
 /// The trajectory that another program computed from the same log.
@@ -124,7 +124,7 @@ Json Contestant::identity(const std::string& world, std::uint64_t seed) const {
     return std::visit(overloaded{[&](const Filter& filter) -> Json {
                                      const std::string detector = parts_of(filter.settings.method).detector;
                                      return {{"kind", filter_kind},
-                                             {"filter", filter.json},
+                                             {"filter", without_other_filters(filter.json)},
                                              {"model", detectors_.model_fingerprint(detector)},
                                              {"seed", seed}};
                                  },
