@@ -3,6 +3,7 @@
 #include <iostream>
 #include <memory>
 
+#include "check/self_check.hpp"
 #include "commands.hpp"
 #include "ddtool/methods/driven_scans.hpp"
 #include "ddtool/robot/scan_truth.hpp"
@@ -52,10 +53,11 @@ struct Served {
 /// Runs the filter over the scans. The filter is destroyed at the end, so that the memory of its particles can be
 /// returned before the pictures are drawn.
 FilterRun run_over(DrivenScans& scans, std::unique_ptr<Rbpf> filter, const InterruptRequest& interrupt,
-                   RunFolder& folder, Served* served) {
+                   RunFolder& folder, check::SelfCheck& check, Served* served) {
     Progress progress("slam", "scans");
     return run_filter(scans, *filter, [&](const SensorFrame& frame, const std::optional<Update>& update) {
         folder.add(frame, update, *filter);
+        check.add(frame, update);
         if (served != nullptr) {
             served->run.add(frame, update, *filter);
         }
@@ -119,7 +121,8 @@ ExitCode slam(const SlamRequest& request, const Json& settings) {
     scans.tell_truth(truth);
     const OutputFolder output(request.folder, name_of_results(request.log));
     RunFolder folder(output.path(), request.with_snapshots);
-    const FilterRun result = run_over(scans, std::move(filter), interrupt, folder, served.get());
+    check::SelfCheck check;
+    const FilterRun result = run_over(scans, std::move(filter), interrupt, folder, check, served.get());
     return_freed_memory();  // returns the memory of the particles' maps before the pictures are drawn
     if (result.trajectory.empty()) {
         throw Error(request.log + ": no scans that can be used");
@@ -142,6 +145,7 @@ ExitCode slam(const SlamRequest& request, const Json& settings) {
                       {"interrupted", interrupt.made()},
                       {"ended_early", result.ended_early},
                       {"run", to_run_json(run)},
+                      {"self_check", check::to_json_object(check.evidence(result.trajectory))},
                       {"cost", cost}};
     folder.write_json("run.json", report);
     const std::vector<std::string> losses = shortfalls(request.log, scans.summary(), interrupt, result);
