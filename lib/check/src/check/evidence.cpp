@@ -4,41 +4,46 @@ namespace ddtool::check {
 namespace {
 
 Json pairs_json(const PairEvidence& pairs) {
-    return {{"pairs", pairs.pairs},   {"contradicted", pairs.contradicted}, {"median", pairs.median},
-            {"p90", pairs.p90}, {"bad", pairs.bad}};
+    return {{"pairs", pairs.pairs}, {"contradicted", pairs.contradicted}, {"p90", pairs.p90}, {"bad", pairs.bad}};
+}
+
+Json motion_json(const MotionEvidence& motion) {
+    return {{"updates", motion.updates},
+            {"odometry_m", motion.odometry_m},
+            {"matched_m", motion.matched_m},
+            {"odometry_turn_rad", motion.odometry_turn_rad},
+            {"along", motion.along},
+            {"across", motion.across},
+            {"turn", motion.turn},
+            {"lever_m", {motion.lever_m.x_m, motion.lever_m.y_m}},
+            {"usual_m", motion.usual_m},
+            {"jumps", motion.jumps},
+            {"worst_jump_m", motion.worst_jump_m},
+            {"worst_jump_rad", motion.worst_jump_rad},
+            {"score", motion.score},
+            {"unmatched", motion.unmatched},
+            {"open",
+             {{"odometry_m", motion.open.odometry_m},
+              {"matched_m", motion.open.matched_m},
+              {"worst_stretch_m", motion.open.worst_stretch_m},
+              {"worst_length_m", motion.open.worst_length_m},
+              {"worst_step_m", motion.open.worst_step_m}}}};
 }
 
 }  // namespace
 
-Json to_json_object(const Evidence& evidence) {
-    const OdometryEvidence& odometry = evidence.odometry;
+Json evidence_json(const Evidence& evidence) {
     return {{"scans", evidence.scans},
             {"neighbours", pairs_json(evidence.neighbours)},
             {"revisits", pairs_json(evidence.revisits)},
-            {"odometry_neighbours", pairs_json(evidence.odometry_neighbours)},
             {"odometry_revisits", pairs_json(evidence.odometry_revisits)},
-            {"odometry",
-             {{"updates", odometry.updates},
-              {"odometry_m", odometry.odometry_m},
-              {"matched_m", odometry.matched_m},
-              {"odometry_turn_rad", odometry.odometry_turn_rad},
-              {"along", odometry.along},
-              {"across", odometry.across},
-              {"turn", odometry.turn},
-              {"scatter_m", odometry.scatter_m},
-              {"jumps", odometry.jumps},
-              {"worst_jump_m", odometry.worst_jump_m},
-              {"worst_jump_rad", odometry.worst_jump_rad},
-              {"mean_score", odometry.mean_score},
-              {"unmatched", odometry.unmatched},
-              {"poor", odometry.poor}}},
-            {"open",
-             {{"odometry_m", evidence.open.odometry_m},
-              {"path_m", evidence.open.path_m},
-              {"held_odometry_m", evidence.open.held_odometry_m},
-              {"held_path_m", evidence.open.held_path_m},
-              {"held_worst", evidence.open.held_worst},
-              {"worst_m", evidence.open.worst_m}}}};
+            {"from_odometry_m", evidence.from_odometry_m},
+            {"motion", motion_json(evidence.motion)},
+            {"steps",
+             {{"moving", evidence.steps.moving},
+              {"stairs", evidence.steps.stairs},
+              {"lost", evidence.steps.lost},
+              {"longest_lost_s", evidence.steps.longest_lost_s}}}};
 }
 
 }  // namespace ddtool::check

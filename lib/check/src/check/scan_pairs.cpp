@@ -34,11 +34,10 @@ public:
             return {};
         }
         std::sort(shares_.begin(), shares_.end());
-        const auto bad = std::count_if(shares_.begin(), shares_.end(),
-                                       [](double share) { return share > PairEvidence::bad_pair; });
+        const auto bad =
+            std::count_if(shares_.begin(), shares_.end(), [](double share) { return share > PairEvidence::bad_pair; });
         return {.pairs = shares_.size(),
                 .contradicted = sum_.contradicted(),
-                .median = shares_[shares_.size() / 2],
                 .p90 = shares_[shares_.size() * 9 / 10],
                 .bad = static_cast<double>(bad) / static_cast<double>(shares_.size())};
     }

@@ -10,7 +10,6 @@ namespace ddtool::check {
 struct PairEvidence {
     std::size_t pairs = 0;      ///< that see enough in common to be compared
     double contradicted = 0.0;  ///< share of all compared points that one scan saw and the other saw through
-    double median = 0.0;        ///< of that share, over the pairs
     double p90 = 0.0;           ///< a tenth of the pairs contradict each other more than this
     double bad = 0.0;           ///< share of the pairs that contradict each other in more than `bad_pair` of the points
     /// So much of two scans from healthy logs hardly ever contradicts, people and doors between them included.

@@ -2,9 +2,9 @@
 
 #include <optional>
 
-#include "ddtool/robot/trajectory.hpp"
-
 #include "check/evidence.hpp"
+#include "check/kept_scans.hpp"
+#include "ddtool/robot/trajectory.hpp"
 
 namespace ddtool::check {
 
@@ -20,7 +20,8 @@ public:
 
 private:
     KeptScans kept_;
-    OdometryWitness odometry_;
+    MotionWitness motion_;
+    StepWitness steps_;
 };
 
 }  // namespace ddtool::check
