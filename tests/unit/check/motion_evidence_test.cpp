@@ -77,6 +77,8 @@ TEST(MotionEvidence, JumpsAndMissesAreCounted) {
     MotionWitness witness;
     witness.add(update_of({0.1, 0.0, 0.0}, {0.1, 0.0, 0.0}, 1, 0.05), Openness::held);
     EXPECT_EQ(witness.evidence().unmatched, 1U);
+    witness.add(update_of({0.1, 0.0, 0.0}, {0.1, 0.0, 0.0}, 2, 0.05), Openness::blind);
+    EXPECT_EQ(witness.evidence().unmatched, 1U);
 }
 
 TEST(MotionEvidence, WhatAddsUpOnAnOpenStretchIsFound) {
@@ -87,6 +89,13 @@ TEST(MotionEvidence, WhatAddsUpOnAnOpenStretchIsFound) {
     EXPECT_NEAR(open.open.worst_step_m, 0.01, 1e-9);
     EXPECT_EQ(driven(stalled, Openness::blind).open.worst_step_m, 0.0);
     EXPECT_EQ(driven(stalled).open.odometry_m, 0.0);
+}
+
+TEST(MotionEvidence, TurnsWithoutSightAddUp) {
+    const auto turning = [](const Pose2& odometry, int) { return Pose2{odometry.x_m, 0.0, odometry.theta_rad + 0.01}; };
+    EXPECT_NEAR(driven(turning, Openness::blind).open.worst_blind_turn_rad, 0.99, 1e-9);
+    EXPECT_NEAR(driven(turning, Openness::blind).open.worst_blind_m, 9.9, 1e-9);
+    EXPECT_EQ(driven(turning, Openness::walls).open.worst_blind_turn_rad, 0.0);
 }
 
 TEST(MotionEvidence, AHeldUpdateEndsAnOpenStretch) {

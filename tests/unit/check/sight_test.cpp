@@ -50,6 +50,15 @@ TEST(Sight, ABeamWithoutReturnContradictsNothing) {
     EXPECT_EQ(agreement(blind, Sight(seen_from(there)), between(here, there)).points(), 0U);
 }
 
+TEST(Sight, TheRobotItselfIsNoSurface) {
+    SensorFrame first = seen_from(here);
+    SensorFrame second = seen_from(there);
+    for (std::size_t beam = 60; beam < 200; ++beam) {
+        first.scan.ranges_m[beam] = second.scan.ranges_m[beam] = 0.4F;  // a mast
+    }
+    EXPECT_EQ(agreement(Sight(first), Sight(second), between(here, there)).through, 0U);
+}
+
 TEST(Sight, OneScanSeesThroughWhatIsNotThere) {
     const Sight sight(seen_from({}));
     EXPECT_EQ(sight.word_on({1.5, 0.2}, 0.15), Sight::Word::through);

@@ -38,7 +38,9 @@ Evidence healthy() {
                                 .matched_m = 59.0,
                                 .worst_stretch_m = 0.6,
                                 .worst_length_m = 10.0,
-                                .worst_step_m = 0.2}};
+                                .worst_step_m = 0.2,
+                                .worst_blind_turn_rad = 0.1,
+                                .worst_blind_m = 20.0}};
     evidence.steps = {.moving = 900, .stairs = 3, .lost = 0, .longest_lost_s = 0.0};
     return evidence;
 }
@@ -70,6 +72,8 @@ std::vector<Fault> faults() {
         {"at 30 of 1000 updates the match left the odometry", [](Evidence& e) { e.motion.jumps = 30; }},
         {"the path departs from the odometry by 4.30 m", [](Evidence& e) { e.motion.open.worst_stretch_m = 4.3; }},
         {"at a single update", [](Evidence& e) { e.motion.open.worst_step_m = 0.7; }},
+        {"the path turns away from the odometry by 29 degrees",
+         [](Evidence& e) { e.motion.open.worst_blind_turn_rad = 0.5; }},
         {"200 of 1000 scans fit the map nowhere", [](Evidence& e) { e.motion.unmatched = 200; }},
         {"stands still and then leaps, 400 times", [](Evidence& e) { e.steps.stairs = 400; }},
         {"the scans pause 1 time (up to 20.0 s)",

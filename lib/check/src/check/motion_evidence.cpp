@@ -53,13 +53,18 @@ void MotionWitness::add(const Update& update, Openness openness) {
     sums_.worst_jump_m = std::max(sums_.worst_jump_m, apart_m);
     sums_.worst_jump_rad = std::max(sums_.worst_jump_rad, apart_rad);
     scores_ += best.match_score;
-    sums_.unmatched += best.match_score < ScanMatch::least_score ? 1 : 0;
+    sums_.unmatched += openness != Openness::blind && best.match_score < ScanMatch::least_score ? 1 : 0;
 
     const bool open = openness != Openness::held && before_ != Openness::held;
     if (open && odometry_m > 0.0) {
         add_open(odometry_m, dot / odometry_m, openness == Openness::walls && before_ == Openness::walls);
     } else if (odometry_m > 0.0) {
         stretch_m_ = stretch_length_m_ = 0.0;
+    }
+    if (openness == Openness::blind && before_ == Openness::blind) {
+        add_blind(odometry_m, wrap_angle(matched.theta_rad - odometry.theta_rad));
+    } else {
+        blind_turn_rad_ = blind_length_m_ = 0.0;
     }
     before_ = openness;
 }
@@ -78,6 +83,16 @@ void MotionWitness::add_open(double odometry_m, double along_m, bool between_wal
     if (std::abs(stretch_m_) > open.worst_stretch_m) {
         open.worst_stretch_m = std::abs(stretch_m_);
         open.worst_length_m = stretch_length_m_;
+    }
+}
+
+void MotionWitness::add_blind(double odometry_m, double turn_rad) {
+    MotionEvidence::Open& open = sums_.open;
+    blind_turn_rad_ += turn_rad;
+    blind_length_m_ += odometry_m;
+    if (std::abs(blind_turn_rad_) > open.worst_blind_turn_rad) {
+        open.worst_blind_turn_rad = std::abs(blind_turn_rad_);
+        open.worst_blind_m = blind_length_m_;
     }
 }
 

@@ -24,15 +24,17 @@ struct MotionEvidence {
     double worst_jump_m = 0.0;  ///< largest difference
     double worst_jump_rad = 0.0;
     double score = 0.0;           ///< mean score of the matches, 0..1
-    std::uint64_t unmatched = 0;  ///< updates whose scan fits the map nowhere, though it has returns
+    std::uint64_t unmatched = 0;  ///< updates whose scan fits the map nowhere, though it sees surfaces
 
     /// Where the scans leave open how far the robot came, as along a bare corridor.
     struct Open {
         double odometry_m = 0.0;
-        double matched_m = 0.0;        ///< along the odometry's direction
-        double worst_stretch_m = 0.0;  ///< the largest difference on one stretch that is open throughout
-        double worst_length_m = 0.0;   ///< the odometry's length of that stretch up to there
-        double worst_step_m = 0.0;     ///< the largest difference at a single update between walls
+        double matched_m = 0.0;             ///< along the odometry's direction
+        double worst_stretch_m = 0.0;       ///< the largest difference on one stretch that is open throughout
+        double worst_length_m = 0.0;        ///< the odometry's length of that stretch up to there
+        double worst_step_m = 0.0;          ///< the largest difference at a single update between walls
+        double worst_blind_turn_rad = 0.0;  ///< the largest difference of the turns where the scans see hardly anything
+        double worst_blind_m = 0.0;         ///< the odometry's length of that stretch up to there
     } open;
 };
 
@@ -44,6 +46,7 @@ public:
     [[nodiscard]] MotionEvidence evidence() const;
 
 private:
+    void add_blind(double odometry_m, double turn_rad);
     void add_open(double odometry_m, double along_m, bool between_walls);
 
     static constexpr double step_of_differences_m = 0.005;
@@ -53,6 +56,8 @@ private:
     Openness before_ = Openness::held;
     double stretch_m_ = 0.0;
     double stretch_length_m_ = 0.0;
+    double blind_turn_rad_ = 0.0;
+    double blind_length_m_ = 0.0;
     double dot_ = 0.0, cross_ = 0.0, squares_ = 0.0;
     double turn_dot_ = 0.0, turn_squares_ = 0.0;
     Point2 lever_;

@@ -12,6 +12,9 @@ constexpr double turn_rad = 2.0 * std::numbers::pi;
 /// So many points of a scan are compared with another scan; more tell the same.
 constexpr std::size_t compared_points = 120;
 
+/// Nearer end points may lie on the robot itself, which is elsewhere at another scan.
+constexpr float robot_radius_m = 0.6F;
+
 /// A point counts as the same surface within this distance. It covers the noise of common lidars three times over
 /// (range noise of 30 mm, and 1 % of the range for cheap ones), and what a small error of the heading moves far points.
 double tolerance_at(double range_m) { return 0.12 + 0.02 * range_m; }
@@ -21,7 +24,7 @@ Agreement one_way(const Sight& by, const Sight& of, const Pose2& by_laser_from_o
     const std::size_t stride = std::max<std::size_t>(1, of.beams() / compared_points);
     for (std::size_t beam = 0; beam < of.beams(); beam += stride) {
         const float range_m = of.range_m(beam);
-        if (!std::isfinite(range_m)) {
+        if (!std::isfinite(range_m) || range_m < robot_radius_m) {
             continue;
         }
         const Point2 point = by_laser_from_of_laser * of.end(beam);

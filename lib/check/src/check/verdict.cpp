@@ -172,6 +172,21 @@ Found leaps_without_ground(const Evidence& evidence) {
                        metres(motion.usual_m)};
 }
 
+/// The same for the heading, where the scans see hardly anything. Poor wheels err by 0.008 rad for the root of each
+/// metre and drift by 0.0008 rad/s; the bounds are about three times that.
+Found turns_without_ground(const Evidence& evidence) {
+    constexpr double more_rad = 0.15;
+    constexpr double most_rad_per_m = 0.005;
+    const MotionEvidence::Open& open = evidence.motion.open;
+    if (open.worst_blind_turn_rad <= more_rad + most_rad_per_m * open.worst_blind_m) {
+        return std::nullopt;
+    }
+    return Finding{Standing::doubtful,
+                   "where the scans see hardly anything, the path turns away from the odometry by " +
+                       fixed_text(open.worst_blind_turn_rad * 180.0 / std::numbers::pi, 0) + " degrees within " +
+                       metres(open.worst_blind_m)};
+}
+
 /// A tenth of the scans fits nothing that was mapped before.
 Found scans_do_not_fit(const Evidence& evidence) {
     constexpr std::uint64_t few = 5;
@@ -242,8 +257,8 @@ Verdict verdict_of(const Evidence& evidence) {
     Verdict verdict;
     for (const auto& rule :
          {neighbours_disagree, revisits_disagree, lengths_differ, turns_differ, drives_askew, turns_about_another_point,
-          path_trembles, jumps, departs_without_ground, leaps_without_ground, scans_do_not_fit, odometry_in_stairs,
-          motion_lost, leaves_good_odometry}) {
+          path_trembles, jumps, departs_without_ground, leaps_without_ground, turns_without_ground, scans_do_not_fit,
+          odometry_in_stairs, motion_lost, leaves_good_odometry}) {
         if (const Found found = rule(evidence)) {
             verdict.standing = std::max(verdict.standing, found->standing);
             verdict.reasons.push_back(found->reason);
