@@ -79,7 +79,7 @@ std::string synopsis_of(const HelpText& command) {
 std::string exit_codes() {
     return entry("0", "done") + entry("1", "failed; one line on stderr says what, where, and what was expected") +
            entry("2", "wrong arguments or configuration") +
-           entry("3", "finished, but something was skipped; the output says what and how many");
+           entry("3", "finished, but something was skipped or the result is doubtful; the output says what");
 }
 
 ManPage page(const HelpText& described, const std::string& page_name, const std::string& synopsis,

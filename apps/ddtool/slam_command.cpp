@@ -3,6 +3,8 @@
 #include <iostream>
 #include <memory>
 
+#include "check/self_check.hpp"
+#include "check/verdict.hpp"
 #include "commands.hpp"
 #include "ddtool/methods/driven_scans.hpp"
 #include "ddtool/robot/scan_truth.hpp"
@@ -52,10 +54,11 @@ struct Served {
 /// Runs the filter over the scans. The filter is destroyed at the end, so that the memory of its particles can be
 /// returned before the pictures are drawn.
 FilterRun run_over(DrivenScans& scans, std::unique_ptr<ParticleFilter> filter, const InterruptRequest& interrupt,
-                   RunFolder& folder, Served* served) {
+                   RunFolder& folder, check::SelfCheck& check, Served* served) {
     Progress progress("slam", "scans");
     return run_filter(scans, *filter, [&](const SensorFrame& frame, const std::optional<Update>& update) {
         folder.add(frame, update, *filter);
+        check.add(frame, update);
         if (served != nullptr) {
             served->run.add(frame, update, *filter);
         }
@@ -78,6 +81,15 @@ std::vector<std::string> shortfalls(const std::string& file, const LogSummary& l
     if (!log.has_odometry) {
         lines.push_back(
             file + ": without odometry the motion was worked out from the scans, which fails where they look alike");
+    }
+    return lines;
+}
+
+/// One line for each reason of the self-check.
+std::vector<std::string> doubts_of(const check::Verdict& verdict) {
+    std::vector<std::string> lines;
+    for (const std::string& reason : verdict.reasons) {
+        lines.push_back("the result is " + check::name_of(verdict.standing) + ": " + reason);
     }
     return lines;
 }
@@ -119,7 +131,8 @@ ExitCode slam(const SlamRequest& request, const Json& settings) {
     scans.tell_truth(truth);
     const OutputFolder output(request.folder, name_of_results(request.log));
     RunFolder folder(output.path(), request.with_snapshots);
-    const FilterRun result = run_over(scans, std::move(filter), interrupt, folder, served.get());
+    check::SelfCheck check;
+    const FilterRun result = run_over(scans, std::move(filter), interrupt, folder, check, served.get());
     return_freed_memory();  // returns the memory of the particles' maps before the pictures are drawn
     if (result.trajectory.empty()) {
         throw Error(request.log + ": no scans that can be used");
@@ -132,6 +145,8 @@ ExitCode slam(const SlamRequest& request, const Json& settings) {
     folder.write_json("config.json", settings);
     const RunReport run = run_report(result, map, folder.course(), folder.write_s());
     const CostReport cost = cost_report(request.threads, start);
+    const check::Evidence evidence = check.evidence(result.trajectory);
+    const check::Verdict verdict = check::verdict_of(evidence);
     const Json log = log_report(request.log, scans.summary());
     const Json versions = version_report();
     const Json report{{"command", "slam"},
@@ -142,9 +157,12 @@ ExitCode slam(const SlamRequest& request, const Json& settings) {
                       {"interrupted", interrupt.made()},
                       {"ended_early", result.ended_early},
                       {"run", to_run_json(run)},
+                      {"self_check", check::self_check_json(verdict, evidence)},
                       {"cost", cost}};
     folder.write_json("run.json", report);
-    const std::vector<std::string> losses = shortfalls(request.log, scans.summary(), interrupt, result);
+    std::vector<std::string> losses = shortfalls(request.log, scans.summary(), interrupt, result);
+    const std::vector<std::string> doubts = doubts_of(verdict);
+    losses.insert(losses.end(), doubts.begin(), doubts.end());
     std::vector<std::string> warnings = log_warnings(scans.summary());
     warnings.insert(warnings.end(), losses.begin(), losses.end());
     const bool has_page = folder.write_page([&] {
@@ -155,13 +173,15 @@ ExitCode slam(const SlamRequest& request, const Json& settings) {
                          .course = folder.course(),
                          .report = run,
                          .cost = cost,
+                         .self_check = check::name_of(verdict.standing),
                          .image = image_seen_by(parts_of(filter_settings.method).detector),
                          .settings = settings,
                          .log = log,
                          .versions = versions});
     });
     std::cout << (request.as_json ? report.dump(2) + "\n"
-                                  : slam_summary(run, cost, output.path().string(), folder.files()));
+                                  : slam_summary(run, cost, check::name_of(verdict.standing), output.path().string(),
+                                                 folder.files()));
     const ExitCode log_loss = problems.finish(scans.summary());
     std::for_each(losses.begin(), losses.end(), log_warning);
     log_info("next: open " + (output.path() / "report.html").string() +

@@ -27,8 +27,8 @@ Json version_report() {
     return report;
 }
 
-std::string slam_summary(const RunReport& run, const CostReport& cost, const std::string& folder,
-                         const std::vector<std::string>& files) {
+std::string slam_summary(const RunReport& run, const CostReport& cost, const std::string& self_check,
+                         const std::string& folder, const std::vector<std::string>& files) {
     std::string text = "scans    " + std::to_string(run.scans) + " in " + fixed_text(run.duration_s, 1) + " s; " +
                        std::to_string(run.updates) + " filter updates, " + std::to_string(run.resamplings) +
                        " resamplings\n";
@@ -38,6 +38,7 @@ std::string slam_summary(const RunReport& run, const CostReport& cost, const std
         text += "error    " + fixed_text(run.errors->absolute->translation_m.rmse, 3) +
                 " m rmse against the ground truth (ATE)\n";
     }
+    text += "check    " + self_check + "\n";
     text += "cost     " + fixed_text(cost.wall_s, 1) + " s, " + fixed_text(cost.cpu_s, 1) + " s of CPU time, " +
             fixed_text(1e-6 * static_cast<double>(cost.peak_memory_bytes), 0) + " MB of memory\n";
     return text + "written  " + folder + ": " + joined(files) + "\n";

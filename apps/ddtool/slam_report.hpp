@@ -15,8 +15,8 @@ Json log_report(const std::string& file, const LogSummary& log);
 /// The versions of ddtool and its libraries, for run.json.
 Json version_report();
 
-/// The summary of a run that is printed for the user.
-std::string slam_summary(const RunReport& run, const CostReport& cost, const std::string& folder,
-                         const std::vector<std::string>& files);
+/// The summary of a run that is printed for the user. `self_check`: the verdict of the self-check, in a word.
+std::string slam_summary(const RunReport& run, const CostReport& cost, const std::string& self_check,
+                         const std::string& folder, const std::vector<std::string>& files);
 
 }  // namespace ddtool

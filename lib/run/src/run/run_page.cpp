@@ -15,9 +15,12 @@
 namespace ddtool {
 namespace {
 
-std::vector<report::Fact> facts_of(const RunReport& run, const CostReport& cost) {
+std::vector<report::Fact> facts_of(const RunPageContent& content) {
+    const RunReport& run = content.report;
+    const CostReport& cost = content.cost;
     const auto length = [](double length_m, int decimals) { return fixed_text(length_m, decimals) + " m"; };
     std::vector<report::Fact> facts{
+        {"self-check", content.self_check},
         {"scans", std::to_string(run.scans)},
         {"duration", fixed_text(run.duration_s, 1) + " s"},
         {"path", length(run.path_m, 1)},
@@ -92,7 +95,7 @@ Table stage_table(const RunReport& run) {
 report::Page run_page(const RunPageContent& content) {
     const RunExplorer explorer = run_explorer(content.run, content.map, content.course);
     report::Page page("ddtool slam", std::filesystem::path(content.log_file).filename().string());
-    page.warnings(content.warnings).facts(facts_of(content.report, content.cost));
+    page.warnings(content.warnings).facts(facts_of(content));
     page.section("Map and time lines")
         .text(
             "Point at the path or at a line to see what was so there; click a line to bring its place into view. The "

@@ -22,8 +22,9 @@ struct RunPageContent {
     const RunCourse& course;
     const RunReport& report;
     const CostReport& cost;
-    ImageSettings image;   ///< how the worst moments are drawn
-    const Json& settings;  ///< shown unchanged
+    std::string self_check;  ///< the verdict, in a word; its reasons are among the warnings
+    ImageSettings image;     ///< how the worst moments are drawn
+    const Json& settings;    ///< shown unchanged
     const Json& log;
     const Json& versions;
 };

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "check/openness.hpp"
+#include "ddtool/filter/update.hpp"
+#include "ddtool/robot/sensor_stream.hpp"
+
+namespace ddtool::check {
+
+/// How the motions that matching found between updates agree with those that the odometry reports.
+struct MotionEvidence {
+    std::uint64_t updates = 0;  ///< that have a motion, so without the first
+    double odometry_m = 0.0;    ///< sum of the distances between updates
+    double matched_m = 0.0;
+    double odometry_turn_rad = 0.0;  ///< sum of the turns' magnitudes
+    double along = 1.0;              ///< matched distance for each metre of odometry, in its direction (regression)
+    double across = 0.0;        ///< the same across it, to the left: where it is not 0, the laser is yawed on the robot
+    double turn = 1.0;          ///< matched turn for each radian of odometry (regression)
+    Point2 lever_m;             ///< the point of the robot that stands still where the odometry turns in place
+    double usual_m = 0.0;       ///< median difference of the two motions at an update
+    std::uint64_t jumps = 0;    ///< updates at which the two differ by more than wheels err
+    double worst_jump_m = 0.0;  ///< largest difference
+    double worst_jump_rad = 0.0;
+    double score = 0.0;           ///< mean score of the matches, 0..1
+    std::uint64_t unmatched = 0;  ///< updates whose scan fits the map nowhere, though it sees surfaces
+
+    /// Where the scans leave open how far the robot came, as along a bare corridor.
+    struct Open {
+        double odometry_m = 0.0;
+        double matched_m = 0.0;             ///< along the odometry's direction
+        double worst_stretch_m = 0.0;       ///< the largest difference on one stretch that is open throughout
+        double worst_length_m = 0.0;        ///< the odometry's length of that stretch up to there
+        double worst_step_m = 0.0;          ///< the largest difference at a single update between walls
+        double worst_blind_turn_rad = 0.0;  ///< the largest difference of the turns where the scans see hardly anything
+        double worst_blind_m = 0.0;         ///< the odometry's length of that stretch up to there
+    } open;
+};
+
+/// Gathers MotionEvidence while a run goes on.
+class MotionWitness {
+public:
+    /// `openness`: that of the update's scan along the motion that led to it.
+    void add(const Update& update, Openness openness);
+    [[nodiscard]] MotionEvidence evidence() const;
+
+private:
+    void add_blind(double odometry_m, double turn_rad);
+    void add_open(double odometry_m, double along_m, bool between_walls);
+
+    static constexpr double step_of_differences_m = 0.005;
+    std::array<std::uint32_t, 400> differences_{};  ///< a histogram; the last bin takes all that are larger
+
+    MotionEvidence sums_;
+    Openness before_ = Openness::held;
+    double stretch_m_ = 0.0;
+    double stretch_length_m_ = 0.0;
+    double blind_turn_rad_ = 0.0;
+    double blind_length_m_ = 0.0;
+    double dot_ = 0.0, cross_ = 0.0, squares_ = 0.0;
+    double turn_dot_ = 0.0, turn_squares_ = 0.0;
+    Point2 lever_;
+    double scores_ = 0.0;
+};
+
+}  // namespace ddtool::check

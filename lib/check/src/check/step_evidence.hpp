@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "ddtool/robot/sensor_stream.hpp"
+
+namespace ddtool::check {
+
+/// Steps of the odometry from one scan to the next that no robot makes.
+struct StepEvidence {
+    std::uint64_t moving = 0;  ///< steps with any motion
+    /// Steps in which the robot stood still and then was far away one scan later: an odometry that is held, or that is
+    /// stamped in whole seconds.
+    std::uint64_t stairs = 0;
+    /// Pauses of the scans in which the robot was at speed before and after, and did not move in between.
+    std::uint64_t lost = 0;
+    double longest_lost_s = 0.0;
+};
+
+/// Gathers StepEvidence while a run goes on.
+class StepWitness {
+public:
+    void add(const SensorFrame& frame);
+    [[nodiscard]] const StepEvidence& evidence() const { return evidence_; }
+
+private:
+    struct Step {
+        double duration_s = 0.0;
+        double distance_m = 0.0;
+        [[nodiscard]] double speed_m_per_s() const { return distance_m / duration_s; }
+    };
+    void judge(const Step& step);
+
+    StepEvidence evidence_;
+    std::optional<Pose2> pose_;
+    std::int64_t stamp_ns_ = 0;
+    std::optional<Step> last_, before_last_;
+};
+
+}  // namespace ddtool::check
