@@ -51,6 +51,7 @@ std::optional<ScanReading> decode_ros_scan(std::string_view encoding, std::span<
     scan.angle_min_rad = static_cast<double>(message->angle_min);
     scan.angle_increment_rad = static_cast<double>(message->angle_increment);
     scan.time_increment_s = static_cast<double>(message->time_increment);
+    scan.scan_time_s = static_cast<double>(message->scan_time);
     scan.range_min_m = static_cast<double>(message->range_min);
     scan.range_max_m = static_cast<double>(message->range_max);
     scan.ranges_m = std::move(message->ranges);

@@ -58,6 +58,7 @@ public:
         choose_odometry();
         find_mountings();
         find_no_returns();
+        find_sweep();
         plan_.has_information = survey_.has_information;
         return plan_;
     }
@@ -371,6 +372,13 @@ private:
         plan_.ranges.no_returns = scan_.piles.find(false);
         for (const std::string& line : plan_.ranges.no_returns.lines()) {
             assume(line);
+        }
+    }
+
+    void find_sweep() {
+        plan_.sweep = find_sweep_timing(scan_.rate);
+        if (!plan_.sweep.doubt.empty()) {
+            assume(plan_.sweep.doubt);
         }
     }
 

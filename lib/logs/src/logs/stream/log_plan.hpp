@@ -9,6 +9,7 @@
 
 #include "logs/stream/laser_mounting.hpp"
 #include "logs/stream/log_survey.hpp"
+#include "logs/stream/sweep_timer.hpp"
 
 namespace ddtool {
 
@@ -28,6 +29,7 @@ struct LogPlan {
     /// For scans in frames without an entry there; empty: such scans cannot be used.
     std::optional<Eigen::Isometry3d> robot_from_other_laser;
     RangeRules ranges;
+    SweepTiming sweep;
     std::vector<std::string> assumptions;
     std::vector<std::string> faults;  ///< what cannot be believed in the log, one line each
 };

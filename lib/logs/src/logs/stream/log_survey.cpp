@@ -64,6 +64,7 @@ private:
         }
         topic.piles.add(reading->scan);
         topic.change.add(reading->scan);
+        topic.rate.add(reading->scan, reading->frame_id);
         topic.clock.add(reading->scan.stamp_ns, message.log_time_ns);
         std::vector<std::string>& frames = topic.scan_frames;
         if (frames.size() < TopicSurvey::max_frames && std::ranges::count(frames, reading->frame_id) == 0) {

@@ -11,6 +11,7 @@
 #include "logs/messages/message_decoder.hpp"
 #include "logs/stream/no_return.hpp"
 #include "logs/stream/scan_change.hpp"
+#include "logs/stream/scan_rate.hpp"
 #include "logs/stream/track_survey.hpp"
 #include "logs/stream/transform_tree.hpp"
 
@@ -25,10 +26,11 @@ struct TopicSurvey {
     std::string topic;
     std::string type;  ///< the schema's name
     MessageKind kind = MessageKind::other;
-    std::vector<std::string> scan_frames;     ///< of scans, in the order in which they are first named
-    RangePiles piles;                         ///< of all scans
-    ScanChange change;                        ///< of all scans
-    ClockLag clock;                           ///< of all scans
+    std::vector<std::string> scan_frames;  ///< of scans, in the order in which they are first named
+    RangePiles piles;                      ///< of all scans
+    ScanChange change;                     ///< of all scans
+    ClockLag clock;                        ///< of all scans
+    ScanRate rate;
     std::map<FramePair, TrackSurvey> tracks;  ///< of odometry, poses and transforms
 };
 

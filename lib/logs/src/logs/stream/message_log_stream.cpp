@@ -26,24 +26,49 @@ MessageLogStream::MessageLogStream(const OpenSource& open, Opening opening, std:
     : LogStream(std::move(on_problem)), file_(std::move(file)) {
     if (opening == Opening::twice) {
         survey(open, options);
+        rehearse(open);
     } else {
         survey_once(open, options);
+        sweep_timer_ = SweepTimer(plan_.sweep);
     }
     summary_.format = std::move(format);
     summary_.scan_topic = plan_.scan_topic;
     summary_.odom_topic = plan_.odom_topic;
     summary_.has_odometry = !plan_.odom_topic.empty();
     summary_.ground_truth_topic = plan_.ground_truth_topic;
-    summary_.assumptions = plan_.assumptions;
+    summary_.assumptions.insert(summary_.assumptions.begin(), plan_.assumptions.begin(), plan_.assumptions.end());
     for (const std::string& fault : plan_.faults) {
         report({fault});
     }
 }
 
+MessageLogStream::MessageLogStream(LogPlan plan, std::unique_ptr<MessageSource> source, std::string file)
+    : LogStream({}),
+      file_(std::move(file)),
+      plan_(std::move(plan)),
+      source_(std::move(source)),
+      sweep_timer_(plan_.sweep) {}
+
 void MessageLogStream::survey(const OpenSource& open, const LogOptions& options) {
     const auto survey_source = open([](const LogProblem&) {});  // problems are reported at the second reading
     plan_ = plan_log(survey_log(*survey_source, SurveyExtent::whole, options), options, file_);
     source_ = open([this](const LogProblem& problem) { report(problem); });
+}
+
+/// Reads as many frames as tell how the beams were measured, so that this is known from the first frame on.
+void MessageLogStream::rehearse(const OpenSource& open) {
+    sweep_timer_ = SweepTimer(plan_.sweep);
+    if (sweep_timer_.is_settled() || plan_.odom_topic.empty()) {
+        return;
+    }
+    MessageLogStream rehearsal(plan_, open([](const LogProblem&) {}), file_);
+    while (!rehearsal.sweep_timer_.is_settled() && rehearsal.next()) {
+    }
+    sweep_timer_ = rehearsal.sweep_timer_;
+    if (const std::string finding = sweep_timer_.finding(); !finding.empty()) {
+        summary_.assumptions.push_back(file_ + ": " + finding);
+    }
+    sweep_timer_.settle();
 }
 
 void MessageLogStream::survey_once(const OpenSource& open, const LogOptions& options) {
@@ -106,7 +131,8 @@ void MessageLogStream::take_scan(const McapMessage& message) {
         return;
     }
     const std::int64_t stamp_ns = scan.frame.scan.stamp_ns;
-    scan.has_odometry = plan_.odom_topic.empty() || odometry_.contains(stamp_ns);
+    scan.measured_ns = moved(stamp_ns, std::llround(1e9 * sweep_timer_.longest_s(scan.frame.scan)));
+    scan.has_odometry = plan_.odom_topic.empty() || odometry_.contains(scan.measured_ns);
     scan.has_ground_truth = plan_.ground_truth_topic.empty() || ground_truth_.contains(stamp_ns);
     scan.has_information = !plan_.has_information;
     waiting_.push_back(std::move(scan));
@@ -130,7 +156,7 @@ void MessageLogStream::take_odometry(const McapMessage& message) {
             }
             odometry_.add({stamp_ns, odom_from_robot});
             for (WaitingScan& scan : waiting_) {
-                scan.has_odometry = scan.has_odometry || scan.frame.scan.stamp_ns <= stamp_ns;
+                scan.has_odometry = scan.has_odometry || scan.measured_ns <= stamp_ns;
             }
         }
     }
@@ -201,7 +227,17 @@ SensorFrame MessageLogStream::release_first() {
     ++summary_.scans;
     frame.odom_from_robot = odometry_at(frame.scan.stamp_ns);
     frame.world_from_robot = ground_truth_.at(frame.scan.stamp_ns);
+    time_beams(frame);
     return std::move(scan.frame);
+}
+
+void MessageLogStream::time_beams(SensorFrame& frame) {
+    const auto odometry_after = [&](double seconds) {
+        return odometry_.extended_at(moved(frame.scan.stamp_ns, std::llround(1e9 * seconds)));
+    };
+    if (sweep_timer_.apply(frame, odometry_after)) {
+        summary_.assumptions.push_back(file_ + ": " + sweep_timer_.finding());
+    }
 }
 
 Pose2 MessageLogStream::odometry_at(std::int64_t stamp_ns) {
