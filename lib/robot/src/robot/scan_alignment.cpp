@@ -5,9 +5,13 @@
 #include <cmath>
 #include <optional>
 
+#include "robot/sweep.hpp"
+
 namespace ddtool {
 namespace {
 
+constexpr double usable_range_m = 20.0;
+constexpr std::size_t most_points = 180;
 constexpr double far_m = 0.2;
 constexpr int rounds = 8;
 /// In the first rounds more distant points pull, too.
@@ -102,6 +106,22 @@ Pose2 improved(const std::vector<LinePoint>& lines, const std::vector<Point2>& s
 }
 
 }  // namespace
+
+std::vector<Point2> alignment_points(const SensorFrame& frame, const std::vector<Pose2>& sweep) {
+    const std::size_t beams = frame.scan.ranges_m.size();
+    const std::size_t step = (beams + most_points - 1) / most_points;
+    std::vector<Point2> points_m;
+    for (std::size_t beam = 0; beam < beams; beam += step) {
+        const auto range_m = static_cast<double>(frame.scan.ranges_m[beam]);
+        if (range_m <= usable_range_m) {
+            const double angle_rad = frame.scan.angle_rad(beam);
+            const Point2 end =
+                frame.robot_from_laser * Point2{range_m * std::cos(angle_rad), range_m * std::sin(angle_rad)};
+            points_m.push_back(sweep.empty() ? end : pose_in_sweep(sweep, beam, beams) * end);
+        }
+    }
+    return points_m;
+}
 
 ScanAlignment align_scans(const std::vector<Point2>& first_m, const std::vector<Point2>& second_m, const Pose2& guess) {
     const std::vector<LinePoint> lines = lines_of(first_m);

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "ddtool/robot/pose2.hpp"
+#include "ddtool/robot/sensor_stream.hpp"
 
 namespace ddtool {
 
@@ -14,6 +14,10 @@ struct ScanAlignment {
     double residual_m = 0.2;
     double matched_share = 0.0;  ///< of the second scan's points, those with less than 0.2 m
 };
+
+/// Some of the end points of a scan, at most 180, in the robot's frame at the stamp, in the order of their beams.
+/// \param sweep SensorFrame::sweep, or another
+std::vector<Point2> alignment_points(const SensorFrame& frame, const std::vector<Pose2>& sweep);
 
 /// Lays a scan on another that was taken nearby (point to line, Chen and Medioni, "Object modelling by registration of
 /// multiple range images", 1992). Points without neighbours that form a line with them are not used.

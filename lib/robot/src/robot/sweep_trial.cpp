@@ -9,8 +9,6 @@
 namespace ddtool {
 namespace {
 
-constexpr double usable_range_m = 20.0;
-constexpr std::size_t most_points = 180;
 /// Of a lidar with many scans a second only some are taken, so that the memory of a second is small.
 constexpr double apart_s = 0.08;
 constexpr double partner_within_s = 1.5;
@@ -23,22 +21,6 @@ constexpr double least_difference_m = 0.05;
 constexpr double view_m = 3.0;
 /// Pairs that do not lie on each other by any candidate, for example because people walk by, say nothing.
 constexpr double largest_residual_m = 0.1;
-
-std::vector<Point2> points_of(const SensorFrame& frame, const std::vector<Pose2>& sweep) {
-    const std::size_t beams = frame.scan.ranges_m.size();
-    const std::size_t step = (beams + most_points - 1) / most_points;
-    std::vector<Point2> points_m;
-    for (std::size_t beam = 0; beam < beams; beam += step) {
-        const auto range_m = static_cast<double>(frame.scan.ranges_m[beam]);
-        if (range_m <= usable_range_m) {
-            const double angle_rad = frame.scan.angle_rad(beam);
-            const Point2 end =
-                frame.robot_from_laser * Point2{range_m * std::cos(angle_rad), range_m * std::sin(angle_rad)};
-            points_m.push_back(sweep.empty() ? end : pose_in_sweep(sweep, beam, beams) * end);
-        }
-    }
-    return points_m;
-}
 
 /// How far two motions during a scan move a point three metres away from each other.
 double difference_m(const Pose2& a, const Pose2& b) {
@@ -71,7 +53,7 @@ void SweepTrial::add(const SensorFrame& frame, const std::vector<std::vector<Pos
                 scan.longest_motion = forwards;
             }
         }
-        scan.points_m.push_back(points_of(frame, sweep));
+        scan.points_m.push_back(alignment_points(frame, sweep));
     }
     if (const Scan* partner = partner_of(scan)) {
         compare(*partner, scan);

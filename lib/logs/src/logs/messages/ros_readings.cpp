@@ -58,6 +58,16 @@ std::optional<ScanReading> decode_ros_scan(std::string_view encoding, std::span<
     return reading;
 }
 
+std::optional<ImuReading> decode_ros_imu(std::string_view encoding, std::span<const std::byte> data) {
+    const std::optional<RosImu> message = decode_ros<RosImu>(encoding, data);
+    if (!message || message->angular_velocity_covariance.front() == -1.0) {
+        return std::nullopt;
+    }
+    const auto& [wx, wy, wz] = message->angular_velocity;
+    const auto& [ax, ay, az] = message->linear_acceleration;
+    return ImuReading{message->header.stamp.ns, message->header.frame_id, {wx, wy, wz}, {ax, ay, az}};
+}
+
 std::optional<Poses> decode_ros_poses(MessageKind kind, std::string_view encoding, std::span<const std::byte> data) {
     switch (kind) {
         case MessageKind::odometry:

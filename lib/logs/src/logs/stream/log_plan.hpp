@@ -18,6 +18,10 @@ struct LogPlan {
     std::string scan_topic;
     std::string odom_topic;  ///< empty: the log has no odometry
     std::string ground_truth_topic;
+    std::string imu_topic;                                   ///< empty: none is used
+    bool imu_is_named = false;                               ///< by the options
+    Eigen::Vector3d imu_upwards = Eigen::Vector3d::UnitZ();  ///< the robot's z axis in the sensor's frame
+    std::int64_t imu_clock_offset_ns = 0;                    ///< added to its stamps
     bool has_information = false;  ///< the log has the Fisher information of every scan, from the simulator
     /// If the odometry comes from transforms: the frames between which the transform is taken.
     std::string odom_frame;

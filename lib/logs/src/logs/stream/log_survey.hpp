@@ -9,6 +9,7 @@
 #include "ddtool/logs/log_stream.hpp"
 #include "logs/containers/message_source.hpp"
 #include "logs/messages/message_decoder.hpp"
+#include "logs/stream/gyro_survey.hpp"
 #include "logs/stream/no_return.hpp"
 #include "logs/stream/scan_change.hpp"
 #include "logs/stream/scan_rate.hpp"
@@ -26,11 +27,12 @@ struct TopicSurvey {
     std::string topic;
     std::string type;  ///< the schema's name
     MessageKind kind = MessageKind::other;
-    std::vector<std::string> scan_frames;  ///< of scans, in the order in which they are first named
-    RangePiles piles;                      ///< of all scans
-    ScanChange change;                     ///< of all scans
-    ClockLag clock;                        ///< of all scans
-    ScanRate rate;
+    std::vector<std::string> scan_frames;     ///< of scans, in the order in which they are first named
+    RangePiles piles;                         ///< of all scans
+    ScanChange change;                        ///< of all scans
+    ClockLag clock;                           ///< of all scans
+    ScanRate rate;                            ///< of all scans
+    GyroSurvey gyro;                          ///< of inertial messages
     std::map<FramePair, TrackSurvey> tracks;  ///< of odometry, poses and transforms
 };
 

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/text.hpp"
 #include "logs/messages/ros_conversions.hpp"
 #include "logs/stream/kept_messages.hpp"
 #include "logs/stream/laser_mounting.hpp"
@@ -28,6 +29,7 @@ MessageLogStream::MessageLogStream(const OpenSource& open, Opening opening, std:
         survey(open, options);
         rehearse(open);
     } else {
+        is_read_once_ = true;
         survey_once(open, options);
         sweep_timer_ = SweepTimer(plan_.sweep);
     }
@@ -55,20 +57,25 @@ void MessageLogStream::survey(const OpenSource& open, const LogOptions& options)
     source_ = open([this](const LogProblem& problem) { report(problem); });
 }
 
-/// Reads as many frames as tell how the beams were measured, so that this is known from the first frame on.
+/// Reads as many frames as tell how the beams were measured, and whether the gyro is better than the wheels, so that
+/// this is known from the first frame on.
 void MessageLogStream::rehearse(const OpenSource& open) {
     sweep_timer_ = SweepTimer(plan_.sweep);
-    if (sweep_timer_.is_settled() || plan_.odom_topic.empty()) {
+    if (is_settled() || plan_.odom_topic.empty()) {
         return;
     }
     MessageLogStream rehearsal(plan_, open([](const LogProblem&) {}), file_);
-    while (!rehearsal.sweep_timer_.is_settled() && rehearsal.next()) {
+    while (!rehearsal.is_settled() && rehearsal.summary().scans < most_rehearsed && rehearsal.next()) {
     }
+    gyro_trial_ = rehearsal.gyro_trial_;
     sweep_timer_ = rehearsal.sweep_timer_;
     if (const std::string finding = sweep_timer_.finding(); !finding.empty()) {
         summary_.assumptions.push_back(file_ + ": " + finding);
     }
     sweep_timer_.settle();
+    if (!plan_.imu_topic.empty()) {
+        judge_gyro();
+    }
 }
 
 void MessageLogStream::survey_once(const OpenSource& open, const LogOptions& options) {
@@ -84,6 +91,7 @@ std::optional<SensorFrame> MessageLogStream::next() {
             take(*message);
         } else {
             ended_ = true;
+            release_odometry(true);
         }
     }
     return waiting_.empty() ? std::nullopt : std::optional(release_first());
@@ -96,7 +104,10 @@ void MessageLogStream::take(const McapMessage& message) {
         return;
     }
     const MessageKind kind = kind_of(*message.channel);
-    if (kind == MessageKind::other) {
+    if (kind == MessageKind::inertial && topic == plan_.imu_topic) {
+        take_rates(message);
+    }
+    if (kind != MessageKind::scan && !has_poses(kind)) {
         return;
     }
     if (kind == MessageKind::scan) {
@@ -154,12 +165,75 @@ void MessageLogStream::take_odometry(const McapMessage& message) {
                             message.offset_unit + " " + std::to_string(message.file_offset) + ")",
                         message.file_offset});
             }
-            odometry_.add({stamp_ns, odom_from_robot});
-            for (WaitingScan& scan : waiting_) {
-                scan.has_odometry = scan.has_odometry || scan.measured_ns <= stamp_ns;
+            if (plan_.imu_topic.empty()) {
+                add_odometry({stamp_ns, odom_from_robot});
+            } else {
+                gyro_odometry_.add_pose({stamp_ns, odom_from_robot});
+                release_odometry(false);
             }
         }
     }
+}
+
+void MessageLogStream::add_odometry(const StampedPose& odom_from_robot) {
+    odometry_.add(odom_from_robot);
+    for (WaitingScan& scan : waiting_) {
+        scan.has_odometry = scan.has_odometry || scan.measured_ns <= odom_from_robot.stamp_ns;
+    }
+}
+
+void MessageLogStream::release_odometry(bool at_end) {
+    while (const std::optional<StampedPose> pose = gyro_odometry_.next(at_end)) {
+        add_odometry(*pose);
+    }
+}
+
+void MessageLogStream::take_rates(const McapMessage& message) {
+    const std::optional<ImuReading> reading = decode_imu(message);
+    if (!reading) {
+        report_message(message, "a damaged message");
+        return;
+    }
+    gyro_odometry_.add_rate(moved(reading->stamp_ns, plan_.imu_clock_offset_ns),
+                            plan_.imu_upwards.dot(reading->angular_velocity_rad_per_s));
+    release_odometry(false);
+}
+
+bool MessageLogStream::is_settled() const {
+    return sweep_timer_.is_settled() && (plan_.imu_topic.empty() || gyro_is_judged_ || gyro_trial_.is_complete());
+}
+
+void MessageLogStream::judge_gyro() {
+    const std::string name = "the gyro in " + plan_.imu_topic;
+    const std::optional<GyroVerdict> verdict = gyro_trial_.verdict();
+    gyro_is_judged_ = true;
+    if (!verdict) {
+        if (plan_.imu_is_named) {
+            gyro_odometry_.use(1.0, 0.0);
+            summary_.imu_topic = plan_.imu_topic;
+        }
+        return;
+    }
+    const auto mrad = [](double rad) { return fixed_text(1e3 * rad, 1) + " mrad"; };
+    const std::string errors = "its turns differ from those between scans by " + mrad(verdict->error_rad) +
+                               ", the odometry's own by " + mrad(verdict->odometry_error_rad) + " (median of " +
+                               std::to_string(verdict->pairs) + ", of a second or 0.2 rad each)";
+    if (!verdict->fits || !(verdict->is_better || plan_.imu_is_named)) {
+        const std::string line = file_ + ": " + name + " is not used: " + errors;
+        if (!verdict->fits && plan_.imu_is_named) {
+            report({line});
+        } else {
+            summary_.assumptions.push_back(line);
+        }
+        return;
+    }
+    gyro_odometry_.use(verdict->scale, verdict->bias_rad_per_s);
+    summary_.imu_topic = plan_.imu_topic;
+    const bool is_in_degrees = std::abs(verdict->scale) < 0.5;
+    summary_.assumptions.push_back(file_ + ": the turns are those of " + name + ", not the odometry's own: " + errors +
+                                   "; " + fixed_text(verdict->bias_rad_per_s, 4) + " rad/s are taken off for its bias" +
+                                   (is_in_degrees ? ", and it is taken to be in degrees" : "") +
+                                   (verdict->scale < 0.0 ? ", with the opposite sign" : ""));
 }
 
 void MessageLogStream::take_ground_truth(const McapMessage& message) {
@@ -237,6 +311,10 @@ void MessageLogStream::time_beams(SensorFrame& frame) {
     };
     if (sweep_timer_.apply(frame, odometry_after)) {
         summary_.assumptions.push_back(file_ + ": " + sweep_timer_.finding());
+    }
+    if (!plan_.imu_topic.empty() && !gyro_is_judged_ && gyro_trial_.add(frame, gyro_odometry_.gyro()) &&
+        (gyro_trial_.is_complete() || (is_read_once_ && gyro_trial_.is_decided()))) {
+        judge_gyro();
     }
 }
 

@@ -10,6 +10,8 @@
 #include "ddtool/logs/log_stream.hpp"
 #include "ddtool/robot/scan_truth.hpp"
 #include "logs/containers/message_source.hpp"
+#include "logs/stream/gyro_odometry.hpp"
+#include "logs/stream/gyro_trial.hpp"
 #include "logs/stream/log_plan.hpp"
 #include "logs/stream/odometry_resets.hpp"
 #include "logs/stream/pose_track.hpp"
@@ -30,6 +32,8 @@ public:
     static constexpr std::size_t max_waiting = 256;
     /// If the nearest odometry is further away in time than this, it is reported as a problem.
     static constexpr double max_odometry_gap_s = 0.5;
+    /// So many scans at most are looked at before the first frame.
+    static constexpr std::size_t most_rehearsed = 5000;
 
     using OpenSource = std::function<std::unique_ptr<MessageSource>(LogProblemHandler)>;
 
@@ -66,6 +70,12 @@ private:
     void take(const McapMessage& message);
     void take_scan(const McapMessage& message);
     void take_odometry(const McapMessage& message);
+    void take_rates(const McapMessage& message);
+    void add_odometry(const StampedPose& odom_from_robot);
+    void release_odometry(bool at_end);
+    /// Takes the turns from the gyro if the scans show that they are better.
+    void judge_gyro();
+    [[nodiscard]] bool is_settled() const;
     void take_ground_truth(const McapMessage& message);
     void take_information(const McapMessage& message);
     /// Reports the message if not.
@@ -85,6 +95,10 @@ private:
     std::deque<WaitingScan> waiting_;
     SweepTimer sweep_timer_;
     OdometryResets resets_;
+    GyroOdometry gyro_odometry_;
+    GyroTrial gyro_trial_;
+    bool gyro_is_judged_ = false;
+    bool is_read_once_ = false;
     PoseTrack odometry_;
     PoseTrack ground_truth_;
     std::shared_ptr<ScanTruth> truth_;
