@@ -26,8 +26,11 @@ void add_candidate(std::vector<double>& turns_s, double turn_s) {
     }
 }
 
+/// Between two beams; 0 for a damaged scan, which covers many turns.
 double increment_s(const LaserScan& scan, double turn_s) {
-    return turn_s * std::abs(scan.angle_increment_rad) / turn_rad;
+    const double increment_rad = std::abs(scan.angle_increment_rad);
+    const bool is_sound = increment_rad * static_cast<double>(scan.ranges_m.size()) < 2.0 * turn_rad;
+    return is_sound ? turn_s * increment_rad / turn_rad : 0.0;
 }
 
 std::string ms_text(double seconds) { return fixed_text(1e3 * seconds, 1) + " ms"; }
