@@ -62,7 +62,7 @@ std::vector<double> GyroTrial::gyro_turns_rad(double scale) const {
     return turns_rad;
 }
 
-GyroTrial::Fit GyroTrial::fit(const std::vector<double>& turns_rad) const {
+GyroTrial::Fit GyroTrial::fit(const std::vector<double>& turns_rad, bool has_bias) const {
     Fit fit;
     fit.errors_rad.assign(pairs_.size(), 0.0);
     double largest_rad = INFINITY;
@@ -75,7 +75,7 @@ GyroTrial::Fit GyroTrial::fit(const std::vector<double>& turns_rad) const {
                 squares += pairs_[i].duration_s * pairs_[i].duration_s;
             }
         }
-        fit.bias_rad_per_s = products / squares;
+        fit.bias_rad_per_s = has_bias ? products / squares : 0.0;
         for (std::size_t i = 0; i < pairs_.size(); ++i) {
             fit.errors_rad[i] =
                 std::abs(turns_rad[i] - fit.bias_rad_per_s * pairs_[i].duration_s - pairs_[i].scans_rad);
@@ -102,14 +102,14 @@ std::optional<GyroVerdict> GyroTrial::verdict() const {
     verdict.pairs = pairs_.size();
     Fit best;
     for (const double scale : {1.0, -1.0, rad_per_degree, -rad_per_degree}) {
-        Fit found = fit(gyro_turns_rad(scale));
+        Fit found = fit(gyro_turns_rad(scale), true);
         if (best.errors_rad.empty() || found.median_rad < best.median_rad) {
             best = std::move(found);
             verdict.scale = scale;
         }
     }
     const auto count = static_cast<double>(pairs_.size());
-    const Fit odometry = fit(odometry_turns_rad);
+    const Fit odometry = fit(odometry_turns_rad, false);
     verdict.bias_rad_per_s = best.bias_rad_per_s;
     verdict.error_rad = best.median_rad;
     verdict.odometry_error_rad = odometry.median_rad;

@@ -63,7 +63,8 @@ private:
         double median_rad = 0.0;
     };
 
-    [[nodiscard]] Fit fit(const std::vector<double>& turns_rad) const;
+    /// \param has_bias false: the turns are taken as they are, because nothing takes a bias off the wheels'
+    [[nodiscard]] Fit fit(const std::vector<double>& turns_rad, bool has_bias) const;
     [[nodiscard]] std::vector<double> gyro_turns_rad(double scale) const;
 
     std::optional<Scan> before_;
