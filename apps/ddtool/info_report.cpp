@@ -35,6 +35,9 @@ std::string used_as(const std::string& topic, const LogSummary& summary) {
     if (topic == summary.odom_topic) {
         return "odometry";
     }
+    if (topic == summary.imu_topic) {
+        return "turns";
+    }
     return topic == summary.ground_truth_topic ? "ground truth" : "";
 }
 
@@ -133,6 +136,7 @@ Json topic_json(const TopicInventory& topic, const LogSummary& summary) {
 Json use_json(const std::string& file, const LogUse& use) {
     return {{"scan_topic", use.summary.scan_topic},
             {"odom_topic", use.summary.odom_topic},
+            {"imu_topic", use.summary.imu_topic},
             {"ground_truth_topic", use.summary.ground_truth_topic},
             {"has_odometry", use.summary.has_odometry},
             {"scans", use.summary.scans},

@@ -137,6 +137,8 @@ Command simulate_command() {
                 {"--seed", SettingPath{"seed"}, "Of the sensors' noise; the way driven is the same for all"},
                 {"--lidar", SettingPath{"lidar.preset"}, "The sensor", "ls-m10p|rplidar-a1|hokuyo-utm-30lx|sick-lms"},
                 {"--odometry", SettingPath{"odometry.preset"}, "How well the wheels measure", "good|typical|poor"},
+                {"--imu", SettingPath{"imu.rate_hz"}, "Readings of an inertial sensor per second; 0: there is none",
+                 "HZ"},
                 {"--out", &request->log, "Log to write, with the truth in it", "FILE.mcap"},
                 {"--ground-truth", &request->truth, "True poses at the scans to write", "FILE.tum"},
                 {"--odometry-track", &request->odometry, "Odometry to write", "FILE.tum"},

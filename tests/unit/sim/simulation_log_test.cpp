@@ -51,6 +51,20 @@ void expect_same_scan(const LaserScan& scan, const LaserScan& expected) {
     }
 }
 
+TEST(SimulationLog, HoldsTheGyroWhoseTurnsAreBetterThanThoseOfBadWheels) {
+    World world = short_drive();
+    world.route.laps = 5;
+    SimulationSettings settings = logged_settings();
+    settings.lidar.beams = 180;
+    settings.odometry.turn_error = 0.08;
+    settings.imu.rate_hz = 100.0;
+    const test::TemporaryFolder folder;
+    write_simulation_log(Simulation(world, settings), folder / "drive.mcap", [](std::size_t) {});
+    const auto log = open_log(folder / "drive.mcap", {}, {});
+    EXPECT_EQ(log->summary().imu_topic, "/imu");
+    EXPECT_EQ(log->summary().problems, 0U);
+}
+
 /// A log that was written and read back must give the same frames as the simulation in memory.
 TEST(SimulationLog, ReadsBackAsTheSimulatedStream) {
     const test::TemporaryFolder folder;

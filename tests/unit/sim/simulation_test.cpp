@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "ddtool/base/thread_pool.hpp"
+#include "ddtool/robot/scan_points.hpp"
 #include "sim/simulated_stream.hpp"
 #include "sim/world_catalogue.hpp"
 
@@ -110,6 +111,11 @@ TEST(Simulation, MotionDistortionTakesEachBeamWhereTheLaserThenWas) {
         const auto later_ns = static_cast<std::int64_t>(1e9 * frame.scan.time_increment_s * static_cast<double>(beam));
         const double x_m = pose_at(simulation.truth(), frame.scan.stamp_ns + later_ns)->x_m;
         EXPECT_NEAR(frame.scan.ranges_m[beam], (10.0 - x_m) / std::cos(frame.scan.angle_rad(beam)), 1e-4);
+    }
+    EXPECT_EQ(frame.scan.scan_time_s, 0.5);
+    const ScanPoints points = scan_points(frame, {});
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        EXPECT_NEAR(frame.world_from_robot->x_m + static_cast<double>(points.x_m[i]), 10.0, 0.01);
     }
 }
 

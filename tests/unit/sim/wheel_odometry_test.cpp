@@ -36,6 +36,12 @@ Trajectory turning(double turns_rad) {
     return trajectory;
 }
 
+TEST(WheelOdometry, MeasuresTurnsTooLargeByTheirError) {
+    OdometrySettings settings = perfect;
+    settings.turn_error = 0.05;
+    EXPECT_NEAR(simulate_odometry(turning(2.0), settings, 1).back().pose.theta_rad, 2.1, 1e-6);
+}
+
 struct Spread {
     double mean;
     double sd;

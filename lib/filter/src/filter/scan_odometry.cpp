@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "robot/sweep.hpp"
+
 namespace ddtool {
 namespace {
 
@@ -37,13 +39,15 @@ std::optional<SensorFrame> ScanOdometryStream::next() {
     if (!frame) {
         return frame;
     }
-    const ScanPoints points = scan_points(*frame, settings_.points);
+    set_sweep(*frame);
     if (started_) {
-        const Pose2 found = match(*frame, points);
+        const Pose2 found = match(*frame, scan_points(*frame, settings_.points));
         motion_ = between(pose_, found);
         step_ns_ = frame->scan.stamp_ns - stamp_ns_;
         pose_ = found;
+        set_sweep(*frame);
     }
+    const ScanPoints points = scan_points(*frame, settings_.points);
     const Pose2 since = between(entered_, pose_);
     if (!started_ || std::hypot(since.x_m, since.y_m) >= settings_.insert_distance_m ||
         std::abs(since.theta_rad) >= settings_.insert_turn_rad) {
@@ -53,6 +57,14 @@ std::optional<SensorFrame> ScanOdometryStream::next() {
     stamp_ns_ = frame->scan.stamp_ns;
     frame->odom_from_robot = pose_;
     return frame;
+}
+
+/// The motion during the scan goes on as between the last two scans.
+void ScanOdometryStream::set_sweep(SensorFrame& frame) const {
+    const auto moved_after = [&](double seconds) -> std::optional<Pose2> {
+        return step_ns_ > 0 && seconds > 0.0 ? at_same_speed(motion_, step_ns_, std::llround(1e9 * seconds)) : Pose2{};
+    };
+    frame.sweep = sweep_of(frame.scan, frame.scan.time_increment_s, moved_after);
 }
 
 Pose2 ScanOdometryStream::match(const SensorFrame& frame, const ScanPoints& points) {

@@ -59,6 +59,10 @@ const SettingTable<ScanPointsSettings>& points_rows() {
          "nothing was met."},
         {"spacing_m", &Points::spacing_m, Allowed::number(0.0, 10.0), "m",
          "Neighbouring end points that are nearer than this are merged into one."},
+        {"deskew", &Points::deskew, Allowed::flag(), "",
+         "Whether each beam is placed where the laser was when the beam was measured, by the odometry's motion during "
+         "the scan.",
+         "docs/filter.md"},
     };
     return rows;
 }

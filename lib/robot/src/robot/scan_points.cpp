@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "robot/principal_axes.hpp"
+#include "robot/sweep.hpp"
 
 namespace ddtool {
 namespace {
@@ -133,7 +134,23 @@ void close_group(ScanPoints& points, Group& group, std::int32_t order) {
     group = {};
 }
 
-void add_end_points(ScanPoints& points, const SensorFrame& frame, const ScanPointsSettings& settings) {
+/// The laser in the robot's frame at the stamp, when a beam is measured.
+class LaserPlaces {
+public:
+    LaserPlaces(const SensorFrame& frame, bool deskew) : frame_(frame), moves_(deskew && !frame.sweep.empty()) {}
+
+    [[nodiscard]] Pose2 at(std::size_t beam) const {
+        return moves_ ? pose_in_sweep(frame_.sweep, beam, frame_.scan.ranges_m.size()) * frame_.robot_from_laser
+                      : frame_.robot_from_laser;
+    }
+
+private:
+    const SensorFrame& frame_;
+    bool moves_;
+};
+
+void add_end_points(ScanPoints& points, const SensorFrame& frame, const LaserPlaces& robot_from_laser,
+                    const ScanPointsSettings& settings) {
     Group group;
     std::int32_t order = 0;
     for (std::size_t beam = 0; beam < frame.scan.ranges_m.size(); ++beam) {
@@ -149,7 +166,7 @@ void add_end_points(ScanPoints& points, const SensorFrame& frame, const ScanPoin
             continue;
         }
         const double angle = frame.scan.angle_rad(beam);
-        const Point2 end = frame.robot_from_laser * Point2{range_m * std::cos(angle), range_m * std::sin(angle)};
+        const Point2 end = robot_from_laser.at(beam) * Point2{range_m * std::cos(angle), range_m * std::sin(angle)};
         if (!group.takes(end, settings.spacing_m)) {
             close_group(points, group, order);
             ++order;
@@ -163,8 +180,10 @@ void add_end_points(ScanPoints& points, const SensorFrame& frame, const ScanPoin
 
 ScanPoints scan_points(const SensorFrame& frame, const ScanPointsSettings& settings) {
     ScanPoints points;
-    points.origin_m = {frame.robot_from_laser.x_m, frame.robot_from_laser.y_m};
-    add_end_points(points, frame, settings);
+    const LaserPlaces robot_from_laser(frame, settings.deskew);
+    const Pose2 middle = robot_from_laser.at(frame.scan.ranges_m.size() / 2);
+    points.origin_m = {middle.x_m, middle.y_m};
+    add_end_points(points, frame, robot_from_laser, settings);
     points.normal_x.assign(points.size(), 1.0F);
     points.normal_y.assign(points.size(), 0.0F);
     points.along_weight.assign(points.size(), 1.0F);

@@ -119,6 +119,7 @@ LaserScan blank_scan(const LidarSettings& settings, std::int64_t stamp_ns) {
     scan.angle_increment_rad = angle_increment_rad(settings);
     if (settings.motion_distortion) {
         scan.time_increment_s = scan.angle_increment_rad / (2.0 * std::numbers::pi * settings.rate_hz);
+        scan.scan_time_s = 1.0 / settings.rate_hz;
     }
     scan.range_min_m = settings.range_min_m;
     scan.range_max_m = settings.range_max_m;

@@ -12,6 +12,8 @@ enum RandomPurpose : std::uint64_t {
     scan_noise = 3,     ///< third key: the scan
     texture_layout = 4,
     random_layout = 5,
+    imu_run = 6,   ///< the bias of the gyro
+    imu_step = 7,  ///< third key: the step
 };
 
 }  // namespace ddtool::sim

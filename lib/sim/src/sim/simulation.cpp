@@ -1,7 +1,9 @@
 #include "sim/simulation.hpp"
 
+#include <algorithm>
 #include <cmath>
 
+#include "robot/sweep.hpp"
 #include "sim/fisher_information.hpp"
 #include "sim/random_purpose.hpp"
 
@@ -34,7 +36,13 @@ SimulatedFrame Simulation::frame(std::size_t index) const {
     scan.ranges_m =
         measure_ranges(scan, lasers, hits, caster_, settings_.lidar, RandomStream({settings_.seed, scan_noise, index}));
     normalise_ranges(scan);
-    result.frame = {std::move(scan), settings_.robot_from_laser, *pose_at(odometry_, stamp_ns(index)), robot};
+    const auto odometry_after = [&](double seconds) {
+        const std::int64_t then_ns = stamp_ns(index) + std::llround(1e9 * seconds);
+        return pose_at(odometry_, std::min(then_ns, odometry_.back().stamp_ns));
+    };
+    std::vector<Pose2> sweep = sweep_of(scan, scan.time_increment_s, odometry_after);
+    result.frame = {std::move(scan), settings_.robot_from_laser, *pose_at(odometry_, stamp_ns(index)), robot,
+                    std::move(sweep)};
     return result;
 }
 

@@ -6,6 +6,7 @@
 #include "ddtool/robot/sensor_stream.hpp"
 #include "ddtool/robot/trajectory.hpp"
 #include "sim/drive.hpp"
+#include "sim/inertial_sensor.hpp"
 #include "sim/lidar.hpp"
 #include "sim/ray_caster.hpp"
 #include "sim/wheel_odometry.hpp"
@@ -19,6 +20,7 @@ struct SimulationSettings {
     Pose2 robot_from_laser;
     LidarSettings lidar;
     OdometrySettings odometry;
+    ImuSettings imu;
     DriveSettings drive;
 };
 
@@ -41,6 +43,10 @@ public:
     [[nodiscard]] const Trajectory& truth() const { return truth_; }
     /// odom_from_robot at the odometry's rate; the odom frame is the robot's at the start.
     [[nodiscard]] const Trajectory& odometry() const { return odometry_; }
+    /// Empty without an inertial sensor. Only a log has them: the frames are those of the wheels' odometry.
+    [[nodiscard]] std::vector<StampedTurnRate> turn_rates() const {
+        return simulate_gyro(truth_, settings_.imu, settings_.seed);
+    }
     [[nodiscard]] std::size_t frame_count() const { return frame_count_; }
     /// The stamp of the frame.
     [[nodiscard]] std::int64_t stamp_ns(std::size_t index) const;

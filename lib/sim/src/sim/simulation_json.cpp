@@ -58,6 +58,8 @@ const SettingTable<OdometrySettings>& odometry_rows() {
         {"rate_hz", &Odometry::rate_hz, Allowed::number(1e-3, 10000.0), "Hz", "Number of odometry poses per second."},
         {"scale_error_sd", &Odometry::scale_error_sd, Allowed::number(0.0, 1.0), "",
          "Standard deviation over runs of the relative error of distances (the wheels' radius)."},
+        {"turn_error", &Odometry::turn_error, Allowed::number(-0.9, 10.0), "",
+         "Relative error of turns (the distance between the wheels), the same in all runs."},
         {"gyro_bias_sd_rad_per_s", &Odometry::gyro_bias_sd_rad_per_s, Allowed::number(0.0, 10.0), "rad/s",
          "Standard deviation over runs of the error of the turn rate."},
         {"distance_noise_m_per_sqrt_m", &Odometry::distance_noise_m_per_sqrt_m, Allowed::number(0.0, 10.0), "m/sqrt(m)",
@@ -90,6 +92,19 @@ const SettingTable<DriveSettings>& drive_rows() {
          "The robot turns away a larger error of the heading standing still."},
         {"lookahead_m", &Drive::lookahead_m, Allowed::number(0.01, 100.0), "m",
          "The robot steers for the point this far ahead on the line between way points.", "pure pursuit, Coulter 1992"},
+    };
+    return rows;
+}
+
+const SettingTable<ImuSettings>& imu_rows() {
+    using Imu = ImuSettings;
+    static const SettingTable<Imu> rows{
+        {"rate_hz", &Imu::rate_hz, Allowed::number(0.0, 10000.0), "Hz",
+         "Number of readings of an inertial sensor per second; 0: there is none."},
+        {"bias_sd_rad_per_s", &Imu::bias_sd_rad_per_s, Allowed::number(0.0, 10.0), "rad/s",
+         "Standard deviation over runs of what its gyro reads at rest."},
+        {"noise_rad_per_sqrt_s", &Imu::noise_rad_per_sqrt_s, Allowed::number(0.0, 10.0), "rad/sqrt(s)",
+         "Standard deviation of the turn that its gyro measures in a second."},
     };
     return rows;
 }
@@ -163,6 +178,7 @@ std::vector<Setting> simulation_setting_list() {
              "",
              "",
              with_preset("How well the wheels measure; it gives what is null below.", odometry_rows().settings())},
+            {"imu", {}, "", "", "", imu_rows().settings()},
             {"drive", {}, "", "", "", drive_rows().settings()}};
 }
 
@@ -174,6 +190,7 @@ Json default_simulation_json() {
             {"robot_from_laser", pose_rows().json(defaults.robot_from_laser)},
             {"lidar", preset_keys("ls-m10p", lidar_rows().json(defaults.lidar))},
             {"odometry", preset_keys("typical", odometry_rows().json(defaults.odometry))},
+            {"imu", imu_rows().json(defaults.imu)},
             {"drive", drive_rows().json(defaults.drive)}};
 }
 
@@ -181,6 +198,7 @@ Json common_simulation_json() {
     Json json = default_simulation_json();
     json.erase("world");
     json.erase("seed");
+    json.erase("imu");
     return json;
 }
 
@@ -192,6 +210,7 @@ SimulationSettings simulation_from_json(const Json& json, const std::string& pat
             .robot_from_laser = pose_rows().checked(json.at("robot_from_laser"), below(path, "robot_from_laser")),
             .lidar = lidar_from(json.at("lidar"), path),
             .odometry = odometry_from(json.at("odometry"), path),
+            .imu = json.contains("imu") ? imu_rows().checked(json.at("imu"), below(path, "imu")) : ImuSettings{},
             .drive = drive_rows().checked(json.at("drive"), below(path, "drive"))};
 }
 

@@ -16,7 +16,7 @@ std::vector<Setting> simulation_setting_list();
 Json default_simulation_json();
 
 /// The same defaults for commands that run many simulations, without world and seed, which come from the lists of these
-/// commands.
+/// commands, and without the inertial sensor, which only a log has.
 Json common_simulation_json();
 
 /// The world is named beside the settings, as `world`; see load_world(). Throws UsageError naming the key for an

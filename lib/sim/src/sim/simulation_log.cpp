@@ -10,6 +10,7 @@ constexpr const char* map_frame = "map";
 constexpr const char* odom_frame = "odom";
 constexpr const char* robot_frame = "base_link";
 constexpr const char* laser_frame = "laser";
+constexpr double gravity_m_per_s2 = 9.81;
 
 RosFloat64MultiArray matrix_message(const Eigen::Matrix3d& matrix) {
     RosFloat64MultiArray message;
@@ -25,7 +26,7 @@ RosFloat64MultiArray matrix_message(const Eigen::Matrix3d& matrix) {
 class SimulationLog {
 public:
     SimulationLog(const Simulation& simulation, const std::filesystem::path& file)
-        : odometry_(simulation.odometry()), writer_(file) {
+        : odometry_(simulation.odometry()), turn_rates_(simulation.turn_rates()), writer_(file) {
         const std::int64_t start_ns = simulation.settings().start_ns;
         writer_.write("/tf_static", start_ns,
                       transform_message(start_ns, robot_frame, laser_frame, simulation.settings().robot_from_laser));
@@ -48,6 +49,15 @@ public:
 
 private:
     void write_odometry_until(std::int64_t stamp_ns) {
+        for (; next_rate_ < turn_rates_.size() && turn_rates_[next_rate_].stamp_ns <= stamp_ns; ++next_rate_) {
+            const StampedTurnRate& rate = turn_rates_[next_rate_];
+            RosImu message;
+            message.header = {{rate.stamp_ns}, robot_frame};
+            message.orientation_covariance.front() = -1.0;  // it is not measured
+            message.angular_velocity.z = rate.rad_per_s;
+            message.linear_acceleration.z = gravity_m_per_s2;
+            writer_.write("/imu", rate.stamp_ns, message);
+        }
         for (; next_ < odometry_.size() && odometry_[next_].stamp_ns <= stamp_ns; ++next_) {
             const StampedPose& stamped = odometry_[next_];
             writer_.write("/odom", stamped.stamp_ns, odometry_at(next_));
@@ -71,6 +81,8 @@ private:
     }
 
     const Trajectory& odometry_;
+    std::vector<StampedTurnRate> turn_rates_;
+    std::size_t next_rate_ = 0;
     Ros2Writer writer_;
     std::size_t next_ = 0;
 };

@@ -12,6 +12,7 @@ namespace ddtool::sim {
 /// beside it the truth:
 ///   /tf_static           tf2_msgs/TFMessage     base_link -> laser, once
 ///   /odom, /tf           nav_msgs/Odometry, tf2_msgs/TFMessage: odom -> base_link, at the odometry's rate
+///   /imu                 sensor_msgs/Imu        in base_link, if the simulation has an inertial sensor
 ///   /scan                sensor_msgs/LaserScan  in laser
 ///   /ground_truth        nav_msgs/Odometry      map -> base_link, at the scans' stamps
 ///   /fisher_information  std_msgs/Float64MultiArray, 3 x 3 row by row, at the scans' stamps; see

@@ -57,7 +57,8 @@ public:
             along_m -= settings_.slip_m * std::log(1.0 - random.uniform());
             heading_rad += settings_.slip_rad * random.normal();
         }
-        return {scale_ * motion.x_m + along_m, scale_ * motion.y_m, wrap_angle(motion.theta_rad + heading_rad)};
+        return {scale_ * motion.x_m + along_m, scale_ * motion.y_m,
+                wrap_angle((1.0 + settings_.turn_error) * motion.theta_rad + heading_rad)};
     }
 
 private:

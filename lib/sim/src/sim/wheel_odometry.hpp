@@ -14,6 +14,7 @@ namespace ddtool::sim {
 struct OdometrySettings {
     double rate_hz = 50.0;
     double scale_error_sd = 0.005;  ///< relative error of distances (wheel radius), standard deviation over runs
+    double turn_error = 0.0;        ///< relative error of turns (distance of the wheels), the same in all runs
     double gyro_bias_sd_rad_per_s = 1.5e-4;  ///< error of the turn rate, standard deviation over runs
     double distance_noise_m_per_sqrt_m = 0.01;
     double heading_noise_rad_per_sqrt_m = 1.0e-3;

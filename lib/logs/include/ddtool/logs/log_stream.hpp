@@ -16,10 +16,13 @@ namespace ddtool {
 
 /// Which messages of a log to use. What is not set is found by type (docs/formats/logs.md).
 struct LogOptions {
-    std::string robot;                ///< of several, the one with this name before its topics or frames
-    std::string scan_topic;           ///< in a CARMEN log the message name, FLASER or ROBOTLASER1
-    std::string odom_topic;           ///< Odometry or tf messages
-    std::string ground_truth_topic;   ///< Odometry or PoseStamped messages
+    std::string robot;               ///< of several, the one with this name before its topics or frames
+    std::string scan_topic;          ///< in a CARMEN log the message name, FLASER or ROBOTLASER1
+    std::string odom_topic;          ///< Odometry or tf messages
+    std::string ground_truth_topic;  ///< Odometry or PoseStamped messages
+    /// Imu messages, whose turns are used where they are better than the odometry's; a topic named here is used in any
+    /// case that makes sense, and "none" leaves them out.
+    std::string imu_topic;
     std::optional<Pose2> laser_pose;  ///< robot_from_laser, instead of the log's own
     /// The readings that mean no return, in metres, instead of those that are found; 0 alone: there are none.
     std::vector<double> no_return_m;
@@ -35,6 +38,7 @@ struct LogSummary {
     std::string scan_topic;
     std::string odom_topic;                   ///< empty: the log has no odometry
     bool has_odometry = true;                 ///< known from the start; false: odom_from_robot is the identity
+    std::string imu_topic;                    ///< whose turns replace the odometry's; empty: none
     std::string ground_truth_topic;           ///< empty: the log has no ground truth
     std::size_t scans = 0;                    ///< frames returned by next()
     std::size_t odometry = 0;                 ///< odometry poses read

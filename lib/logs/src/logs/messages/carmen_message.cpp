@@ -66,12 +66,19 @@ struct SickView {
     double half_view_degrees;
 };
 
-SickView sick_view(std::size_t beams) {
+std::optional<SickView> known_sick_view(std::size_t beams) {
     constexpr std::array<SickView, 3> known{{{180, 90.0}, {360, 90.0}, {400, 50.0}}};
     for (const SickView& view : known) {
         if (beams == view.intervals || beams == view.intervals + 1) {
             return view;
         }
+    }
+    return std::nullopt;
+}
+
+SickView sick_view(std::size_t beams) {
+    if (const std::optional<SickView> known = known_sick_view(beams)) {
+        return *known;
     }
     return {std::max<std::size_t>(beams, 2) - 1, 90.0};
 }
@@ -94,6 +101,8 @@ std::optional<CarmenScan> finish(Fields& fields, CarmenScan message) {
 }
 
 }  // namespace
+
+bool is_sick_view(std::size_t beams) { return known_sick_view(beams).has_value(); }
 
 std::optional<CarmenScan> parse_flaser(std::string_view words) {
     Fields fields(words);

@@ -22,6 +22,9 @@ struct CarmenScan {
 /// and 401, and for any other count 180 degrees divided by n - 1. Returns nullopt if a number is missing or invalid.
 std::optional<CarmenScan> parse_flaser(std::string_view words);
 
+/// Whether a scan of so many beams is one of a SICK laser, in CARMEN's table.
+bool is_sick_view(std::size_t beams);
+
 /// Parses "ROBOTLASER1 type start_angle fov resolution max_range accuracy remission_mode n r1..rn m e1..em laser_pose
 /// robot_pose tv rv forward_safety side_safety turn_axis ipc_time host logger_time" without its first word. Returns
 /// nullopt if a number is missing or invalid.

@@ -42,7 +42,10 @@ private:
         write(static_cast<std::int32_t>((time.ns - below) / ns_per_s));
         write(static_cast<std::uint32_t>(below));
     }
-    void write(const std::array<double, 36>& values) { write_all(values); }
+    template <std::size_t size>
+    void write(const std::array<double, size>& values) {
+        write_all(values);
+    }
     template <typename Value>
     void write(const std::vector<Value>& values) {
         write(static_cast<std::uint32_t>(values.size()));
@@ -96,7 +99,10 @@ private:
         cdr_.deserialize(nanoseconds);
         time.ns = seconds * ns_per_s + nanoseconds;
     }
-    void read(std::array<double, 36>& values) { cdr_.deserializeArray(values.data(), values.size()); }
+    template <std::size_t size>
+    void read(std::array<double, size>& values) {
+        cdr_.deserializeArray(values.data(), values.size());
+    }
     /// The count may be damaged and huge. Numbers are therefore read only if the remaining bytes suffice for them, and
     /// other elements are read one by one.
     template <typename Value>
@@ -149,6 +155,7 @@ std::optional<Message> decode_cdr(std::span<const std::byte> data) {
     template std::optional<Message> decode_cdr(std::span<const std::byte>);
 DDTOOL_CDR(RosTFMessage)
 DDTOOL_CDR(RosLaserScan)
+DDTOOL_CDR(RosImu)
 DDTOOL_CDR(RosOdometry)
 DDTOOL_CDR(RosPoseStamped)
 DDTOOL_CDR(RosPoseArray)

@@ -16,8 +16,9 @@ struct KnownType {
     MessageKind kind;
 };
 
-constexpr std::array<KnownType, 5> ros_types{{
+constexpr std::array<KnownType, 6> ros_types{{
     {"sensor_msgs/LaserScan", MessageKind::scan},
+    {"sensor_msgs/Imu", MessageKind::inertial},
     {"nav_msgs/Odometry", MessageKind::odometry},
     {"geometry_msgs/PoseStamped", MessageKind::pose},
     {"tf2_msgs/TFMessage", MessageKind::transforms},
@@ -122,6 +123,16 @@ std::optional<std::vector<PoseReading>> decode_poses(const McapMessage& message)
         tidy_stamp(reading.stamp_ns, message);
     }
     return readings;
+}
+
+std::optional<ImuReading> decode_imu(const McapMessage& message) {
+    std::optional<ImuReading> reading = decode_ros_imu(message.channel->message_encoding, message.data);
+    if (!reading || !reading->angular_velocity_rad_per_s.allFinite()) {
+        return std::nullopt;
+    }
+    tidy(reading->frame_id);
+    tidy_stamp(reading->stamp_ns, message);
+    return reading;
 }
 
 bool is_information(const McapChannel& channel) {

@@ -14,6 +14,7 @@ enum class MessageKind {
     scan,        ///< sensor_msgs LaserScan, foxglove LaserScan
     odometry,    ///< nav_msgs Odometry
     pose,        ///< geometry_msgs PoseStamped, foxglove PoseInFrame
+    inertial,    ///< sensor_msgs Imu
     transforms,  ///< tf2_msgs TFMessage, foxglove FrameTransform(s)
 };
 
@@ -26,7 +27,17 @@ MessageKind kind_of(const McapChannel& channel);
 /// further away than farthest_m.
 std::optional<ScanReading> decode_scan(const McapMessage& message);
 
-/// Decodes a message of another kind by the same rules: one reading for odometry and poses, any number for transforms.
+/// Decodes a message of the kind inertial by the same rules. Returns nullopt, too, if its angular velocities are no
+/// numbers or not measured.
+std::optional<ImuReading> decode_imu(const McapMessage& message);
+
+/// Whether the messages of a kind hold poses or transforms.
+inline bool has_poses(MessageKind kind) {
+    return kind == MessageKind::odometry || kind == MessageKind::pose || kind == MessageKind::transforms;
+}
+
+/// Decodes a message of a kind that has poses by the same rules: one reading for odometry and poses, any number for
+/// transforms.
 std::optional<std::vector<PoseReading>> decode_poses(const McapMessage& message);
 
 /// Whether the channel is the simulator's /fisher_information, the Fisher information of each scan about the true pose.

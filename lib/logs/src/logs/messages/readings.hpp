@@ -28,4 +28,12 @@ struct PoseReading {
     bool has_rotation = true;  ///< false: the message's quaternion is 0,0,0,0 or no number; the identity stands for it
 };
 
+/// What an inertial sensor measures.
+struct ImuReading {
+    std::int64_t stamp_ns = 0;
+    std::string frame_id;
+    Eigen::Vector3d angular_velocity_rad_per_s = Eigen::Vector3d::Zero();  ///< in its frame
+    Eigen::Vector3d acceleration_m_per_s2 = Eigen::Vector3d::Zero();       ///< in its frame; upwards at rest
+};
+
 }  // namespace ddtool

@@ -32,7 +32,10 @@ private:
         count();  // the sequence number
         (*this)(header.stamp, header.frame_id);
     }
-    void read(std::array<double, 36>& values) { copy(values.data(), sizeof values); }
+    template <std::size_t size>
+    void read(std::array<double, size>& values) {
+        copy(values.data(), sizeof values);
+    }
     template <typename Value>
     void read(std::vector<Value>& values) {
         const std::uint32_t size = count();
@@ -80,6 +83,7 @@ std::optional<Message> decode_ros1(std::span<const std::byte> data) {
 
 template std::optional<RosTFMessage> decode_ros1(std::span<const std::byte>);
 template std::optional<RosLaserScan> decode_ros1(std::span<const std::byte>);
+template std::optional<RosImu> decode_ros1(std::span<const std::byte>);
 template std::optional<RosOdometry> decode_ros1(std::span<const std::byte>);
 template std::optional<RosPoseStamped> decode_ros1(std::span<const std::byte>);
 

@@ -12,7 +12,7 @@ struct Definition {
     std::string_view text;
 };
 
-constexpr std::array<Definition, 27> definitions{{
+constexpr std::array<Definition, 28> definitions{{
     {"builtin_interfaces/Time", "int32 sec\nuint32 nanosec\n"},
     {"std_msgs/Header", "builtin_interfaces/Time stamp\nstring frame_id\n"},
     {"std_msgs/MultiArrayDimension", "string label\nuint32 size\nuint32 stride\n"},
@@ -36,6 +36,10 @@ constexpr std::array<Definition, 27> definitions{{
      "std_msgs/Header header\nfloat32 angle_min\nfloat32 angle_max\nfloat32 angle_increment\n"
      "float32 time_increment\nfloat32 scan_time\nfloat32 range_min\nfloat32 range_max\n"
      "float32[] ranges\nfloat32[] intensities\n"},
+    {"sensor_msgs/Imu",
+     "std_msgs/Header header\ngeometry_msgs/Quaternion orientation\nfloat64[9] orientation_covariance\n"
+     "geometry_msgs/Vector3 angular_velocity\nfloat64[9] angular_velocity_covariance\n"
+     "geometry_msgs/Vector3 linear_acceleration\nfloat64[9] linear_acceleration_covariance\n"},
     {"nav_msgs/Odometry",
      "std_msgs/Header header\nstring child_frame_id\ngeometry_msgs/PoseWithCovariance pose\n"
      "geometry_msgs/TwistWithCovariance twist\n"},

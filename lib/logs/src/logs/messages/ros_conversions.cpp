@@ -33,6 +33,7 @@ RosLaserScan scan_message(const LaserScan& scan, const std::string& frame_id) {
     message.angle_max = static_cast<float>(scan.angle_rad(scan.ranges_m.empty() ? 0 : scan.ranges_m.size() - 1));
     message.angle_increment = static_cast<float>(scan.angle_increment_rad);
     message.time_increment = static_cast<float>(scan.time_increment_s);
+    message.scan_time = static_cast<float>(scan.scan_time_s);
     message.range_min = static_cast<float>(scan.range_min_m);
     message.range_max = static_cast<float>(scan.range_max_m);
     message.ranges = scan.ranges_m;

@@ -85,6 +85,24 @@ struct RosLaserScan {
     }
 };
 
+struct RosImu {
+    static constexpr const char* type_name = "sensor_msgs/msg/Imu";
+    RosHeader header;
+    RosQuaternion orientation;
+    std::array<double, 9> orientation_covariance{};
+    RosVector3 angular_velocity;  ///< rad/s, in the frame of the header
+    /// Row by row. -1 in front: the sensor does not measure this.
+    std::array<double, 9> angular_velocity_covariance{};
+    RosVector3 linear_acceleration;  ///< m/s^2; at rest it points upwards
+    std::array<double, 9> linear_acceleration_covariance{};
+
+    static void fields(auto& message, auto& archive) {
+        archive(message.header, message.orientation, message.orientation_covariance, message.angular_velocity,
+                message.angular_velocity_covariance, message.linear_acceleration,
+                message.linear_acceleration_covariance);
+    }
+};
+
 struct RosOdometry {
     static constexpr const char* type_name = "nav_msgs/msg/Odometry";
     RosHeader header;

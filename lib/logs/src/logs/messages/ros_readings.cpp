@@ -51,10 +51,21 @@ std::optional<ScanReading> decode_ros_scan(std::string_view encoding, std::span<
     scan.angle_min_rad = static_cast<double>(message->angle_min);
     scan.angle_increment_rad = static_cast<double>(message->angle_increment);
     scan.time_increment_s = static_cast<double>(message->time_increment);
+    scan.scan_time_s = static_cast<double>(message->scan_time);
     scan.range_min_m = static_cast<double>(message->range_min);
     scan.range_max_m = static_cast<double>(message->range_max);
     scan.ranges_m = std::move(message->ranges);
     return reading;
+}
+
+std::optional<ImuReading> decode_ros_imu(std::string_view encoding, std::span<const std::byte> data) {
+    const std::optional<RosImu> message = decode_ros<RosImu>(encoding, data);
+    if (!message || message->angular_velocity_covariance.front() == -1.0) {
+        return std::nullopt;
+    }
+    const auto& [wx, wy, wz] = message->angular_velocity;
+    const auto& [ax, ay, az] = message->linear_acceleration;
+    return ImuReading{message->header.stamp.ns, message->header.frame_id, {wx, wy, wz}, {ax, ay, az}};
 }
 
 std::optional<Poses> decode_ros_poses(MessageKind kind, std::string_view encoding, std::span<const std::byte> data) {

@@ -14,6 +14,10 @@ namespace ddtool {
 /// message.
 std::optional<ScanReading> decode_ros_scan(std::string_view encoding, std::span<const std::byte> data);
 
+/// Decodes sensor_msgs Imu from the encoding "cdr" or "ros1". Returns nullopt if the bytes are not such a message, or
+/// if the sensor says that it does not measure angular velocities.
+std::optional<ImuReading> decode_ros_imu(std::string_view encoding, std::span<const std::byte> data);
+
 /// Decodes nav_msgs Odometry, geometry_msgs PoseStamped or tf2_msgs TFMessage; `kind` says which. Returns nullopt if
 /// the bytes are not such a message.
 std::optional<std::vector<PoseReading>> decode_ros_poses(MessageKind kind, std::string_view encoding,

@@ -12,6 +12,9 @@ namespace ddtool {
 namespace {
 
 constexpr double sick_range_max_m = 80.0;
+/// Of the robots that are in these logs.
+constexpr double fastest_m_per_s = 3.0;
+constexpr double fastest_rad_per_s = 6.0;
 constexpr std::string_view flaser = "FLASER";
 constexpr std::string_view robotlaser = "ROBOTLASER1";
 
@@ -44,25 +47,56 @@ double CarmenStream::fraction_read() const { return lines_.fraction_read(); }
 
 std::optional<SensorFrame> CarmenStream::next() {
     std::optional<SensorFrame> frame;
-    if (ahead_.empty()) {
-        frame = read_frame();
-    } else {
+    if (!ahead_.empty()) {
         frame = std::move(ahead_.front());
         ahead_.pop_front();
     }
     if (frame) {
+        if (ahead_.empty()) {
+            if (std::optional<SensorFrame> following = read_frame()) {
+                ahead_.push_back(std::move(*following));
+            }
+        }
         ++summary_.scans;
         set_no_returns(frame->scan);
         if (!summary_.has_odometry) {
             frame->odom_from_robot = {};
         }
+        time_beams(*frame);
     }
     return frame;
+}
+
+/// The odometry is known at the stamps of the scans alone; between this one and the next, the motion is taken as
+/// uniform.
+void CarmenStream::time_beams(SensorFrame& frame) {
+    const auto odometry_after = [&](double seconds) -> std::optional<Pose2> {
+        if (seconds == 0.0) {
+            return frame.odom_from_robot;
+        }
+        if (!summary_.has_odometry || ahead_.empty()) {
+            return std::nullopt;
+        }
+        const Pose2& next = ahead_.front().odom_from_robot;
+        const double until_next_s =
+            1e-9 * (static_cast<double>(ahead_.front().scan.stamp_ns) - static_cast<double>(frame.scan.stamp_ns));
+        const double speed = distance_m(frame.odom_from_robot, next) / until_next_s;
+        const double turn_rate = std::abs(wrap_angle(next.theta_rad - frame.odom_from_robot.theta_rad)) / until_next_s;
+        // In some logs two stamps are too near to each other for the way between them.
+        if (!(until_next_s > 0.0) || speed > fastest_m_per_s || turn_rate > fastest_rad_per_s) {
+            return std::nullopt;
+        }
+        return interpolate(frame.odom_from_robot, next, seconds / until_next_s);
+    };
+    if (sweep_timer_.apply(frame, odometry_after)) {
+        summary_.assumptions.push_back(file_ + ": " + sweep_timer_.finding());
+    }
 }
 
 void CarmenStream::read_ahead() {
     RangePiles piles;
     ScanChange change;
+    ScanRate rate;
     bool robot_moves = false;
     while (ahead_.size() < scans_read_ahead) {
         std::optional<SensorFrame> frame = read_frame();
@@ -71,12 +105,14 @@ void CarmenStream::read_ahead() {
         }
         piles.add(frame->scan);
         change.add(frame->scan);
+        rate.add(frame->scan, "");
         robot_moves = robot_moves || (!ahead_.empty() && frame->odom_from_robot != ahead_.front().odom_from_robot);
         ahead_.push_back(std::move(*frame));
     }
     if (ahead_.empty()) {
         fail_without_scans();
     }
+    find_sweep(rate);
     no_returns_ = options_.no_return_m.empty() ? piles.find(true) : named_no_returns(options_.no_return_m);
     if (!options_.with_odometry) {
         summary_.has_odometry = false;
@@ -86,6 +122,14 @@ void CarmenStream::read_ahead() {
         report({file_ + ": the odometry in the lines of the scans is not used: it never moves, although the scans do"});
     }
     note_assumptions();
+}
+
+/// The lines do not say when each beam was measured. A SICK laser turns 75 times a second, whatever part of its scans
+/// was recorded, so that its beams count as measured at once.
+void CarmenStream::find_sweep(const ScanRate& rate) {
+    if (!is_sick_view(ahead_.front().scan.ranges_m.size())) {
+        sweep_timer_ = SweepTimer(find_sweep_timing(rate));
+    }
 }
 
 void CarmenStream::note_assumptions() {

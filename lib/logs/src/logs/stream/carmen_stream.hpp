@@ -12,6 +12,7 @@
 #include "logs/messages/carmen_message.hpp"
 #include "logs/stream/no_return.hpp"
 #include "logs/stream/odometry_resets.hpp"
+#include "logs/stream/sweep_timer.hpp"
 
 namespace ddtool {
 
@@ -32,6 +33,8 @@ public:
 private:
     void read_ahead();
     void note_assumptions();
+    void find_sweep(const ScanRate& rate);
+    void time_beams(SensorFrame& frame);
     std::optional<SensorFrame> read_frame();
     std::optional<SensorFrame> take_line(std::string_view line);
     std::optional<SensorFrame> take_scan(const std::string& name, std::string_view words);
@@ -48,6 +51,7 @@ private:
     std::optional<Pose2> mounting_;      ///< PARAM robot_frontlaser_*
     std::optional<double> range_max_m_;  ///< PARAM robot_front_laser_max
     NoReturns no_returns_;
+    SweepTimer sweep_timer_;
     std::string other_scan_name_;  ///< seen, but not the one in use
 };
 

@@ -18,6 +18,8 @@ using Topics = std::vector<TopicSurvey>;
 
 /// Between what was measured and what was recorded there is always some delay, of the lidar's turn and more.
 constexpr double least_clock_offset_s = 0.5;
+/// The cosine of 30 degrees. A robot stands more level than that.
+constexpr double least_agreement = 0.866;
 
 template <typename Condition>
 Topics topics_where(const LogSurvey& survey, Condition condition) {
@@ -58,6 +60,8 @@ public:
         choose_odometry();
         find_mountings();
         find_no_returns();
+        find_sweep();
+        choose_imu();
         plan_.has_information = survey_.has_information;
         return plan_;
     }
@@ -155,7 +159,8 @@ private:
         const auto is_own = [&](const TopicSurvey& topic) {
             const auto named = [&](const auto& track) { return track.first.second.starts_with(frame_prefix_); };
             return (!namespace_.empty() && is_in_namespace(topic.topic, namespace_)) ||
-                   (!frame_prefix_.empty() && std::ranges::any_of(topic.tracks, named));
+                   (!frame_prefix_.empty() &&
+                    (std::ranges::any_of(topic.tracks, named) || topic.gyro.frame_id().starts_with(frame_prefix_)));
         };
         if (std::ranges::any_of(topics, is_own)) {
             std::erase_if(topics, [&](const TopicSurvey& topic) { return !is_own(topic); });
@@ -194,9 +199,7 @@ private:
             return;
         }
         if (!options_.odom_topic.empty()) {
-            const Topics usable = topics_where(survey_, [](const TopicSurvey& topic) {
-                return topic.kind != MessageKind::scan && topic.kind != MessageKind::other;
-            });
+            const Topics usable = topics_where(survey_, [](const TopicSurvey& topic) { return has_poses(topic.kind); });
             const TopicSurvey& topic = find_requested(usable, options_.odom_topic, "odometry", file_);
             if (!use_odometry(topic) && plan_.faults.empty()) {
                 throw UsageError(
@@ -329,7 +332,7 @@ private:
                 Eigen::Translation3d(x, y, 0.0) * Eigen::AngleAxisd(theta, Eigen::Vector3d::UnitZ());
             return;
         }
-        const std::string robot = robot_above_laser();
+        const std::string& robot = robot_ = robot_above_laser();
         for (const std::string& frame : frames) {
             if (const auto mounting = tree_.find(robot, frame)) {
                 plan_.robot_from_laser[frame] = *mounting;
@@ -374,6 +377,68 @@ private:
         }
     }
 
+    void find_sweep() {
+        plan_.sweep = find_sweep_timing(scan_.rate);
+        if (!plan_.sweep.doubt.empty()) {
+            assume(plan_.sweep.doubt);
+        }
+    }
+
+    void choose_imu() {
+        if (options_.imu_topic == "none" || plan_.odom_topic.empty()) {
+            return;
+        }
+        const Topics all =
+            topics_where(survey_, [](const TopicSurvey& topic) { return topic.kind == MessageKind::inertial; });
+        Topics usable = all;
+        std::erase_if(usable, [](const TopicSurvey& topic) { return topic.gyro.readings() == 0; });
+        plan_.imu_is_named = !options_.imu_topic.empty();
+        if (plan_.imu_is_named) {
+            use_imu(find_requested(all, options_.imu_topic, "inertial", file_));
+        } else if (!usable.empty()) {
+            use_imu(plainest(of_this_robot(usable), "inertial"));
+        }
+    }
+
+    void use_imu(const TopicSurvey& topic) {
+        if (topic.gyro.readings() == 0) {
+            blame("the inertial sensor " + topic.topic + " is not used: it gives no angular velocities");
+            return;
+        }
+        const double ahead_s = ClockLag::offset_s(scan_.clock, topic.gyro.clock()).value_or(0.0);
+        const bool is_another_clock = std::abs(ahead_s) > least_clock_offset_s;
+        if (!ClockLag::overlap(topic.gyro.clock(), scan_.clock, is_another_clock ? -ahead_s : 0.0)) {
+            blame("the inertial sensor " + topic.topic +
+                  " is not used: its stamps share no moment with those of the scans");
+            return;
+        }
+        if (is_another_clock) {
+            plan_.imu_clock_offset_ns = std::llround(-1e9 * ahead_s);
+            assume("the clock of the inertial sensor " + topic.topic + " is " + fixed_text(std::abs(ahead_s), 3) +
+                   " s " + (ahead_s > 0.0 ? "ahead of" : "behind") +
+                   " that of the scans, as the times of recording show; this is taken off its stamps");
+        }
+        plan_.imu_topic = topic.topic;
+        plan_.imu_upwards = upwards_of(topic);
+    }
+
+    /// By the transforms, or, where they lack the sensor or contradict gravity, by gravity.
+    Eigen::Vector3d upwards_of(const TopicSurvey& topic) {
+        const std::optional<Eigen::Vector3d> gravity = topic.gyro.upwards();
+        const std::string& robot = robot_.empty() ? plan_.robot_frame : robot_;
+        const auto robot_from_imu = tree_.find(robot, topic.gyro.frame_id());
+        if (!robot_from_imu) {
+            return gravity.value_or(Eigen::Vector3d::UnitZ());
+        }
+        const Eigen::Vector3d upwards = robot_from_imu->linear().row(2).transpose();
+        if (gravity && gravity->dot(upwards) < least_agreement) {
+            assume("the transform of the inertial sensor " + topic.topic + " contradicts gravity, which it measures " +
+                   "in another direction than downwards; the sensor is taken to be mounted as gravity shows");
+            return *gravity;
+        }
+        return upwards;
+    }
+
     const LogSurvey& survey_;
     const LogOptions& options_;
     const std::string& file_;
@@ -382,6 +447,7 @@ private:
     std::string namespace_;     ///< of the topics of the scans' robot; empty: it has none of its own
     std::string frame_prefix_;  ///< of the frames of that robot, up to and with the slash; may be empty
     TransformTree tree_;        ///< of that robot
+    std::string robot_;         ///< the frame from which the lasers are placed; empty: none
     LogPlan plan_;
 };
 

@@ -9,6 +9,7 @@
 
 #include "logs/stream/laser_mounting.hpp"
 #include "logs/stream/log_survey.hpp"
+#include "logs/stream/sweep_timer.hpp"
 
 namespace ddtool {
 
@@ -17,6 +18,10 @@ struct LogPlan {
     std::string scan_topic;
     std::string odom_topic;  ///< empty: the log has no odometry
     std::string ground_truth_topic;
+    std::string imu_topic;                                   ///< empty: none is used
+    bool imu_is_named = false;                               ///< by the options
+    Eigen::Vector3d imu_upwards = Eigen::Vector3d::UnitZ();  ///< the robot's z axis in the sensor's frame
+    std::int64_t imu_clock_offset_ns = 0;                    ///< added to its stamps
     bool has_information = false;  ///< the log has the Fisher information of every scan, from the simulator
     /// If the odometry comes from transforms: the frames between which the transform is taken.
     std::string odom_frame;
@@ -28,6 +33,7 @@ struct LogPlan {
     /// For scans in frames without an entry there; empty: such scans cannot be used.
     std::optional<Eigen::Isometry3d> robot_from_other_laser;
     RangeRules ranges;
+    SweepTiming sweep;
     std::vector<std::string> assumptions;
     std::vector<std::string> faults;  ///< what cannot be believed in the log, one line each
 };

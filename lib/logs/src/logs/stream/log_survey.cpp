@@ -31,14 +31,16 @@ public:
         }
         if (kind == MessageKind::scan) {
             note_scan(message, topic);
-        } else if (kind != MessageKind::other) {
+        } else if (kind == MessageKind::inertial) {
+            note_rates(message, topic);
+        } else if (has_poses(kind)) {
             note_poses(message, topic);
         }
     }
 
     [[nodiscard]] bool complete() const {
         return extent_ns_ > usual_extent_ns && has_scan() && has(options_.scan_topic) && has(options_.odom_topic) &&
-               has(options_.ground_truth_topic);
+               has(options_.ground_truth_topic) && has(options_.imu_topic);
     }
 
     LogSurvey result() {
@@ -64,10 +66,16 @@ private:
         }
         topic.piles.add(reading->scan);
         topic.change.add(reading->scan);
+        topic.rate.add(reading->scan, reading->frame_id);
         topic.clock.add(reading->scan.stamp_ns, message.log_time_ns);
         std::vector<std::string>& frames = topic.scan_frames;
         if (frames.size() < TopicSurvey::max_frames && std::ranges::count(frames, reading->frame_id) == 0) {
             frames.push_back(reading->frame_id);
+        }
+    }
+    static void note_rates(const McapMessage& message, TopicSurvey& topic) {
+        if (const std::optional<ImuReading> reading = decode_imu(message)) {
+            topic.gyro.add(*reading, message.log_time_ns);
         }
     }
     void note_poses(const McapMessage& message, TopicSurvey& topic) {

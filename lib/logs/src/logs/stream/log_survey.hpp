@@ -9,8 +9,10 @@
 #include "ddtool/logs/log_stream.hpp"
 #include "logs/containers/message_source.hpp"
 #include "logs/messages/message_decoder.hpp"
+#include "logs/stream/gyro_survey.hpp"
 #include "logs/stream/no_return.hpp"
 #include "logs/stream/scan_change.hpp"
+#include "logs/stream/scan_rate.hpp"
 #include "logs/stream/track_survey.hpp"
 #include "logs/stream/transform_tree.hpp"
 
@@ -29,6 +31,8 @@ struct TopicSurvey {
     RangePiles piles;                         ///< of all scans
     ScanChange change;                        ///< of all scans
     ClockLag clock;                           ///< of all scans
+    ScanRate rate;                            ///< of all scans
+    GyroSurvey gyro;                          ///< of inertial messages
     std::map<FramePair, TrackSurvey> tracks;  ///< of odometry, poses and transforms
 };
 

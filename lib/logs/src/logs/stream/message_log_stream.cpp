@@ -3,6 +3,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/text.hpp"
 #include "logs/messages/ros_conversions.hpp"
 #include "logs/stream/kept_messages.hpp"
 #include "logs/stream/laser_mounting.hpp"
@@ -26,24 +27,55 @@ MessageLogStream::MessageLogStream(const OpenSource& open, Opening opening, std:
     : LogStream(std::move(on_problem)), file_(std::move(file)) {
     if (opening == Opening::twice) {
         survey(open, options);
+        rehearse(open);
     } else {
+        is_read_once_ = true;
         survey_once(open, options);
+        sweep_timer_ = SweepTimer(plan_.sweep);
     }
     summary_.format = std::move(format);
     summary_.scan_topic = plan_.scan_topic;
     summary_.odom_topic = plan_.odom_topic;
     summary_.has_odometry = !plan_.odom_topic.empty();
     summary_.ground_truth_topic = plan_.ground_truth_topic;
-    summary_.assumptions = plan_.assumptions;
+    summary_.assumptions.insert(summary_.assumptions.begin(), plan_.assumptions.begin(), plan_.assumptions.end());
     for (const std::string& fault : plan_.faults) {
         report({fault});
     }
 }
 
+MessageLogStream::MessageLogStream(LogPlan plan, std::unique_ptr<MessageSource> source, std::string file)
+    : LogStream({}),
+      file_(std::move(file)),
+      plan_(std::move(plan)),
+      source_(std::move(source)),
+      sweep_timer_(plan_.sweep) {}
+
 void MessageLogStream::survey(const OpenSource& open, const LogOptions& options) {
     const auto survey_source = open([](const LogProblem&) {});  // problems are reported at the second reading
     plan_ = plan_log(survey_log(*survey_source, SurveyExtent::whole, options), options, file_);
     source_ = open([this](const LogProblem& problem) { report(problem); });
+}
+
+/// Reads as many frames as tell how the beams were measured, and whether the gyro is better than the wheels, so that
+/// this is known from the first frame on.
+void MessageLogStream::rehearse(const OpenSource& open) {
+    sweep_timer_ = SweepTimer(plan_.sweep);
+    if (is_settled() || plan_.odom_topic.empty()) {
+        return;
+    }
+    MessageLogStream rehearsal(plan_, open([](const LogProblem&) {}), file_);
+    while (!rehearsal.is_settled() && rehearsal.summary().scans < most_rehearsed && rehearsal.next()) {
+    }
+    gyro_trial_ = rehearsal.gyro_trial_;
+    sweep_timer_ = rehearsal.sweep_timer_;
+    if (const std::string finding = sweep_timer_.finding(); !finding.empty()) {
+        summary_.assumptions.push_back(file_ + ": " + finding);
+    }
+    sweep_timer_.settle();
+    if (!plan_.imu_topic.empty()) {
+        judge_gyro();
+    }
 }
 
 void MessageLogStream::survey_once(const OpenSource& open, const LogOptions& options) {
@@ -59,6 +91,7 @@ std::optional<SensorFrame> MessageLogStream::next() {
             take(*message);
         } else {
             ended_ = true;
+            release_odometry(true);
         }
     }
     return waiting_.empty() ? std::nullopt : std::optional(release_first());
@@ -71,7 +104,10 @@ void MessageLogStream::take(const McapMessage& message) {
         return;
     }
     const MessageKind kind = kind_of(*message.channel);
-    if (kind == MessageKind::other) {
+    if (kind == MessageKind::inertial && topic == plan_.imu_topic) {
+        take_rates(message);
+    }
+    if (kind != MessageKind::scan && !has_poses(kind)) {
         return;
     }
     if (kind == MessageKind::scan) {
@@ -106,7 +142,8 @@ void MessageLogStream::take_scan(const McapMessage& message) {
         return;
     }
     const std::int64_t stamp_ns = scan.frame.scan.stamp_ns;
-    scan.has_odometry = plan_.odom_topic.empty() || odometry_.contains(stamp_ns);
+    scan.measured_ns = moved(stamp_ns, std::llround(1e9 * sweep_timer_.longest_s(scan.frame.scan)));
+    scan.has_odometry = plan_.odom_topic.empty() || odometry_.contains(scan.measured_ns);
     scan.has_ground_truth = plan_.ground_truth_topic.empty() || ground_truth_.contains(stamp_ns);
     scan.has_information = !plan_.has_information;
     waiting_.push_back(std::move(scan));
@@ -128,12 +165,75 @@ void MessageLogStream::take_odometry(const McapMessage& message) {
                             message.offset_unit + " " + std::to_string(message.file_offset) + ")",
                         message.file_offset});
             }
-            odometry_.add({stamp_ns, odom_from_robot});
-            for (WaitingScan& scan : waiting_) {
-                scan.has_odometry = scan.has_odometry || scan.frame.scan.stamp_ns <= stamp_ns;
+            if (plan_.imu_topic.empty()) {
+                add_odometry({stamp_ns, odom_from_robot});
+            } else {
+                gyro_odometry_.add_pose({stamp_ns, odom_from_robot});
+                release_odometry(false);
             }
         }
     }
+}
+
+void MessageLogStream::add_odometry(const StampedPose& odom_from_robot) {
+    odometry_.add(odom_from_robot);
+    for (WaitingScan& scan : waiting_) {
+        scan.has_odometry = scan.has_odometry || scan.measured_ns <= odom_from_robot.stamp_ns;
+    }
+}
+
+void MessageLogStream::release_odometry(bool at_end) {
+    while (const std::optional<StampedPose> pose = gyro_odometry_.next(at_end)) {
+        add_odometry(*pose);
+    }
+}
+
+void MessageLogStream::take_rates(const McapMessage& message) {
+    const std::optional<ImuReading> reading = decode_imu(message);
+    if (!reading) {
+        report_message(message, "a damaged message");
+        return;
+    }
+    gyro_odometry_.add_rate(moved(reading->stamp_ns, plan_.imu_clock_offset_ns),
+                            plan_.imu_upwards.dot(reading->angular_velocity_rad_per_s));
+    release_odometry(false);
+}
+
+bool MessageLogStream::is_settled() const {
+    return sweep_timer_.is_settled() && (plan_.imu_topic.empty() || gyro_is_judged_ || gyro_trial_.is_complete());
+}
+
+void MessageLogStream::judge_gyro() {
+    const std::string name = "the gyro in " + plan_.imu_topic;
+    const std::optional<GyroVerdict> verdict = gyro_trial_.verdict();
+    gyro_is_judged_ = true;
+    if (!verdict) {
+        if (plan_.imu_is_named) {
+            gyro_odometry_.use(1.0, 0.0);
+            summary_.imu_topic = plan_.imu_topic;
+        }
+        return;
+    }
+    const auto mrad = [](double rad) { return fixed_text(1e3 * rad, 1) + " mrad"; };
+    const std::string errors = "its turns differ from those between scans by " + mrad(verdict->error_rad) +
+                               ", the odometry's own by " + mrad(verdict->odometry_error_rad) + " (median of " +
+                               std::to_string(verdict->pairs) + ", of a second or 0.2 rad each)";
+    if (!verdict->fits || !(verdict->is_better || plan_.imu_is_named)) {
+        const std::string line = file_ + ": " + name + " is not used: " + errors;
+        if (!verdict->fits && plan_.imu_is_named) {
+            report({line});
+        } else {
+            summary_.assumptions.push_back(line);
+        }
+        return;
+    }
+    gyro_odometry_.use(verdict->scale, verdict->bias_rad_per_s);
+    summary_.imu_topic = plan_.imu_topic;
+    const bool is_in_degrees = std::abs(verdict->scale) < 0.5;
+    summary_.assumptions.push_back(file_ + ": the turns are those of " + name + ", not the odometry's own: " + errors +
+                                   "; " + fixed_text(verdict->bias_rad_per_s, 4) + " rad/s are taken off for its bias" +
+                                   (is_in_degrees ? ", and it is taken to be in degrees" : "") +
+                                   (verdict->scale < 0.0 ? ", with the opposite sign" : ""));
 }
 
 void MessageLogStream::take_ground_truth(const McapMessage& message) {
@@ -201,7 +301,21 @@ SensorFrame MessageLogStream::release_first() {
     ++summary_.scans;
     frame.odom_from_robot = odometry_at(frame.scan.stamp_ns);
     frame.world_from_robot = ground_truth_.at(frame.scan.stamp_ns);
+    time_beams(frame);
     return std::move(scan.frame);
+}
+
+void MessageLogStream::time_beams(SensorFrame& frame) {
+    const auto odometry_after = [&](double seconds) {
+        return odometry_.extended_at(moved(frame.scan.stamp_ns, std::llround(1e9 * seconds)));
+    };
+    if (sweep_timer_.apply(frame, odometry_after)) {
+        summary_.assumptions.push_back(file_ + ": " + sweep_timer_.finding());
+    }
+    if (!plan_.imu_topic.empty() && !gyro_is_judged_ && gyro_trial_.add(frame, gyro_odometry_.gyro()) &&
+        (gyro_trial_.is_complete() || (is_read_once_ && gyro_trial_.is_decided()))) {
+        judge_gyro();
+    }
 }
 
 Pose2 MessageLogStream::odometry_at(std::int64_t stamp_ns) {

@@ -10,6 +10,8 @@
 #include "ddtool/logs/log_stream.hpp"
 #include "ddtool/robot/scan_truth.hpp"
 #include "logs/containers/message_source.hpp"
+#include "logs/stream/gyro_odometry.hpp"
+#include "logs/stream/gyro_trial.hpp"
 #include "logs/stream/log_plan.hpp"
 #include "logs/stream/odometry_resets.hpp"
 #include "logs/stream/pose_track.hpp"
@@ -17,11 +19,12 @@
 namespace ddtool {
 
 /// The frames of a log that consists of messages. The log is read twice, first to choose the topics and to learn what
-/// its readings mean, and then for the frames. If the log can be opened only once, this is done with its beginning,
+/// its readings mean, and then for the frames; in between, its beginning is read to learn when the beams of a scan were
+/// measured. If the log can be opened only once, this is done with its beginning,
 /// which is kept in memory meanwhile. A scan waits
-/// until an odometry message (and a ground truth message) after it in the file reaches its stamp, and then gets the
-/// interpolated pose. If no interval contains its stamp (at the ends of the log, and in gaps), it gets the nearest
-/// odometry, and no ground truth.
+/// until an odometry message after it in the file reaches its last beam (and a ground truth message its stamp), and
+/// then gets the interpolated poses. If no interval contains its stamp (at the ends of the log, and in gaps), it gets
+/// the nearest odometry, and no ground truth.
 class MessageLogStream : public LogStream {
 public:
     /// The number of scans that may wait at a time. If there are more, the first one is returned without waiting
@@ -29,13 +32,15 @@ public:
     static constexpr std::size_t max_waiting = 256;
     /// If the nearest odometry is further away in time than this, it is reported as a problem.
     static constexpr double max_odometry_gap_s = 0.5;
+    /// So many scans at most are looked at before the first frame.
+    static constexpr std::size_t most_rehearsed = 5000;
 
     using OpenSource = std::function<std::unique_ptr<MessageSource>(LogProblemHandler)>;
 
     enum class Opening { twice, once };
 
     /// Surveys the log immediately.
-    /// \param open opens the log; it is called twice, or once with Opening::once
+    /// \param open opens the log; it is called two or three times, or once with Opening::once
     /// \param format, file name the log in the summary and in messages
     /// Throws as plan_log() does.
     MessageLogStream(const OpenSource& open, Opening opening, std::string format, std::string file,
@@ -48,18 +53,29 @@ public:
 private:
     struct WaitingScan {
         SensorFrame frame;
+        std::int64_t measured_ns = 0;                ///< when its last beam was
         std::optional<Eigen::Matrix3d> information;  ///< from the simulator, if it has arrived
         bool has_odometry = false;
         bool has_ground_truth = false;
         bool has_information = false;
     };
 
+    /// For a rehearsal.
+    MessageLogStream(LogPlan plan, std::unique_ptr<MessageSource> source, std::string file);
+
+    void rehearse(const OpenSource& open);
     /// Set plan_ and source_; source_ then begins again with the first message.
     void survey(const OpenSource& open, const LogOptions& options);
     void survey_once(const OpenSource& open, const LogOptions& options);
     void take(const McapMessage& message);
     void take_scan(const McapMessage& message);
     void take_odometry(const McapMessage& message);
+    void take_rates(const McapMessage& message);
+    void add_odometry(const StampedPose& odom_from_robot);
+    void release_odometry(bool at_end);
+    /// Takes the turns from the gyro if the scans show that they are better.
+    void judge_gyro();
+    [[nodiscard]] bool is_settled() const;
     void take_ground_truth(const McapMessage& message);
     void take_information(const McapMessage& message);
     /// Reports the message if not.
@@ -70,13 +86,19 @@ private:
     [[nodiscard]] bool first_is_ready() const;
     SensorFrame release_first();
     [[nodiscard]] Pose2 odometry_at(std::int64_t stamp_ns);
+    void time_beams(SensorFrame& frame);
     void report_message(const McapMessage& message, const std::string& what);
 
     std::string file_;
     LogPlan plan_;
     std::unique_ptr<MessageSource> source_;
     std::deque<WaitingScan> waiting_;
+    SweepTimer sweep_timer_;
     OdometryResets resets_;
+    GyroOdometry gyro_odometry_;
+    GyroTrial gyro_trial_;
+    bool gyro_is_judged_ = false;
+    bool is_read_once_ = false;
     PoseTrack odometry_;
     PoseTrack ground_truth_;
     std::shared_ptr<ScanTruth> truth_;

@@ -42,6 +42,20 @@ std::optional<Pose2> PoseTrack::at(std::int64_t stamp_ns) const {
     return std::nullopt;
 }
 
+std::optional<Pose2> PoseTrack::extended_at(std::int64_t stamp_ns) const {
+    if (std::optional<Pose2> pose = at(stamp_ns)) {
+        return pose;
+    }
+    if (poses_.empty() || stamp_ns < poses_.back().stamp_ns ||
+        elapsed_ns(poses_.back().stamp_ns, stamp_ns) > 1e9 * longest_extension_s) {
+        return std::nullopt;
+    }
+    const StampedPose& last = poses_.back();
+    const auto beyond_ns = static_cast<std::int64_t>(elapsed_ns(last.stamp_ns, stamp_ns));
+    const std::optional<Pose2> as_long_before = at(last.stamp_ns - beyond_ns);
+    return as_long_before ? last.pose * between(*as_long_before, last.pose) : last.pose;
+}
+
 std::optional<StampedPose> PoseTrack::nearest(std::int64_t stamp_ns) const {
     const auto apart = [&](const StampedPose& pose) {
         return std::abs(static_cast<double>(pose.stamp_ns) - static_cast<double>(stamp_ns));

@@ -18,7 +18,8 @@ struct LaserScan {
     std::int64_t stamp_ns = 0;  ///< of the first beam
     double angle_min_rad = 0.0;
     double angle_increment_rad = 0.0;
-    double time_increment_s = 0.0;  ///< between beams; 0 where unknown
+    double time_increment_s = 0.0;  ///< between beams; 0 where unknown, or where all beams are measured at once
+    double scan_time_s = 0.0;       ///< from one scan to the next; 0 where unknown
     double range_min_m = 0.0;
     double range_max_m = 0.0;
     /// Each is a range within [range_min_m, range_max_m], no_return or invalid.

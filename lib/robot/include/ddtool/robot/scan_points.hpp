@@ -12,7 +12,7 @@ namespace ddtool {
 /// end within spacing_m of each other are merged to one point at their mean. The points are stored as one array per
 /// coordinate, in angular order.
 struct ScanPoints {
-    Point2 origin_m;                        ///< the laser in the robot's frame
+    Point2 origin_m;                        ///< the laser in the robot's frame, in the middle of the sweep
     std::vector<float> x_m, y_m;            ///< end point
     std::vector<float> normal_x, normal_y;  ///< unit normal of the surface; (1, 0) where it is unknown
     /// How much a displacement along the surface counts, relative to one across it: 0 on a perfect line, and 1 where
@@ -34,8 +34,10 @@ struct ScanPoints {
 struct ScanPointsSettings {
     double usable_range_m = 40.0;  ///< longer ranges are not used, because their end points lie too far apart
     double spacing_m = 0.03;       ///< neighbours that are nearer are merged
+    bool deskew = true;            ///< place each beam where the laser was when it was measured (SensorFrame::sweep)
 };
 
+/// All points are in the robot's frame at the stamp of the scan.
 ScanPoints scan_points(const SensorFrame& frame, const ScanPointsSettings& settings);
 
 }  // namespace ddtool

@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "ddtool/robot/laser_scan.hpp"
 #include "ddtool/robot/pose2.hpp"
@@ -16,6 +17,9 @@ struct SensorFrame {
     Pose2 robot_from_laser;                 ///< the pose of the lidar on the robot
     Pose2 odom_from_robot;                  ///< odometry, interpolated to the scan's stamp
     std::optional<Pose2> world_from_robot;  ///< the true pose at the stamp of the scan, if the source has it
+    /// How the robot moved during the scan, by the odometry: its poses in its frame at the stamp, at equal steps from
+    /// the first beam to the last (robot/sweep.hpp). Empty where all beams count as measured at the stamp.
+    std::vector<Pose2> sweep = {};
 };
 
 /// A sequence of frames in the order of the source. Logs and the simulator produce streams and the filter consumes
