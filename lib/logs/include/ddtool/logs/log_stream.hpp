@@ -14,12 +14,21 @@
 
 namespace ddtool {
 
+/// Heights in metres.
+struct HeightBand {
+    double min_m = 0.0;
+    double max_m = 0.0;
+};
+
 /// Which messages of a log to use. What is not set is found by type (docs/formats/logs.md).
 struct LogOptions {
-    std::string robot;                ///< of several, the one with this name before its topics or frames
-    std::string scan_topic;           ///< in a CARMEN log the message name, FLASER or ROBOTLASER1
-    std::string odom_topic;           ///< Odometry or tf messages
-    std::string ground_truth_topic;   ///< Odometry or PoseStamped messages
+    std::string robot;                 ///< of several, the one with this name before its topics or frames
+    std::string scan_topic;            ///< in a CARMEN log the message name, FLASER or ROBOTLASER1
+    std::string cloud_topic;           ///< PointCloud2 messages, whose points within `height` become the scans
+    std::optional<HeightBand> height;  ///< above the robot's origin; where not given, around the lidar
+    std::size_t cloud_beams = 0;     ///< of the scans made from clouds, over a full turn; 0: as many as the cloud fills
+    std::string odom_topic;          ///< Odometry or tf messages
+    std::string ground_truth_topic;  ///< Odometry or PoseStamped messages
     std::optional<Pose2> laser_pose;  ///< robot_from_laser, instead of the log's own
     /// The readings that mean no return, in metres, instead of those that are found; 0 alone: there are none.
     std::vector<double> no_return_m;

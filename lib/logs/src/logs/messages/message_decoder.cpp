@@ -16,16 +16,18 @@ struct KnownType {
     MessageKind kind;
 };
 
-constexpr std::array<KnownType, 5> ros_types{{
+constexpr std::array<KnownType, 6> ros_types{{
     {"sensor_msgs/LaserScan", MessageKind::scan},
+    {"sensor_msgs/PointCloud2", MessageKind::cloud},
     {"nav_msgs/Odometry", MessageKind::odometry},
     {"geometry_msgs/PoseStamped", MessageKind::pose},
     {"tf2_msgs/TFMessage", MessageKind::transforms},
     {"tf/tfMessage", MessageKind::transforms},
 }};
 
-constexpr std::array<KnownType, 4> foxglove_types{{
+constexpr std::array<KnownType, 5> foxglove_types{{
     {"foxglove.LaserScan", MessageKind::scan},
+    {"foxglove.PointCloud", MessageKind::cloud},
     {"foxglove.PoseInFrame", MessageKind::pose},
     {"foxglove.FrameTransform", MessageKind::transforms},
     {"foxglove.FrameTransforms", MessageKind::transforms},
@@ -74,6 +76,17 @@ std::optional<ScanReading> decode_raw_scan(const McapMessage& message) {
     return decode_ros_scan(encoding, message.data);
 }
 
+std::optional<CloudReading> decode_raw_cloud(const McapMessage& message) {
+    const std::string& encoding = message.channel->message_encoding;
+    if (encoding == "protobuf") {
+        return foxglove_protobuf_cloud(message.data);
+    }
+    if (encoding == "json") {
+        return foxglove_json_cloud(message.data);
+    }
+    return decode_ros_cloud(encoding, message.data);
+}
+
 std::optional<std::vector<PoseReading>> decode_raw_poses(const McapMessage& message) {
     const std::string& encoding = message.channel->message_encoding;
     const std::string& type = message.channel->schema.name;
@@ -107,6 +120,17 @@ std::optional<ScanReading> decode_scan(const McapMessage& message) {
     tidy(reading->frame_id);
     tidy_rotation(reading->frame_from_scan);
     tidy_stamp(reading->scan.stamp_ns, message);
+    return reading;
+}
+
+std::optional<CloudReading> decode_cloud(const McapMessage& message) {
+    std::optional<CloudReading> reading = decode_raw_cloud(message);
+    if (!reading || !is_somewhere(reading->frame_from_cloud)) {
+        return std::nullopt;
+    }
+    tidy(reading->frame_id);
+    tidy_rotation(reading->frame_from_cloud);
+    tidy_stamp(reading->stamp_ns, message);
     return reading;
 }
 

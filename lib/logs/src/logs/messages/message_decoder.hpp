@@ -12,6 +12,7 @@ namespace ddtool {
 enum class MessageKind {
     other,
     scan,        ///< sensor_msgs LaserScan, foxglove LaserScan
+    cloud,       ///< sensor_msgs PointCloud2, foxglove PointCloud
     odometry,    ///< nav_msgs Odometry
     pose,        ///< geometry_msgs PoseStamped, foxglove PoseInFrame
     transforms,  ///< tf2_msgs TFMessage, foxglove FrameTransform(s)
@@ -25,6 +26,9 @@ MessageKind kind_of(const McapChannel& channel);
 /// the log time. Returns nullopt if the bytes are not such a message, or contain a position that is not finite or
 /// further away than farthest_m.
 std::optional<ScanReading> decode_scan(const McapMessage& message);
+
+/// Decodes a message of the kind cloud by the same rules. If only its points cannot be read, it has a fault.
+std::optional<CloudReading> decode_cloud(const McapMessage& message);
 
 /// Decodes a message of another kind by the same rules: one reading for odometry and poses, any number for transforms.
 std::optional<std::vector<PoseReading>> decode_poses(const McapMessage& message);

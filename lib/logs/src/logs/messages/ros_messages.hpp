@@ -85,6 +85,36 @@ struct RosLaserScan {
     }
 };
 
+struct RosPointField {
+    std::string name;
+    std::uint32_t offset = 0;   ///< bytes from the start of the point
+    std::uint8_t datatype = 0;  ///< 1 to 8: int8, uint8, int16, uint16, int32, uint32, float32, float64
+    std::uint32_t count = 1;
+
+    static void fields(auto& message, auto& archive) {
+        archive(message.name, message.offset, message.datatype, message.count);
+    }
+};
+
+/// The flags are bools in the definition; as numbers they may hold any byte of a damaged message.
+struct RosPointCloud2 {
+    static constexpr const char* type_name = "sensor_msgs/msg/PointCloud2";
+    RosHeader header;
+    std::uint32_t height = 0;
+    std::uint32_t width = 0;  ///< points in a row
+    std::vector<RosPointField> point_fields;
+    std::uint8_t is_bigendian = 0;
+    std::uint32_t point_step = 0;  ///< bytes
+    std::uint32_t row_step = 0;    ///< bytes
+    std::vector<std::uint8_t> data;
+    std::uint8_t is_dense = 0;  ///< whether no point is NaN
+
+    static void fields(auto& message, auto& archive) {
+        archive(message.header, message.height, message.width, message.point_fields, message.is_bigendian,
+                message.point_step, message.row_step, message.data, message.is_dense);
+    }
+};
+
 struct RosOdometry {
     static constexpr const char* type_name = "nav_msgs/msg/Odometry";
     RosHeader header;

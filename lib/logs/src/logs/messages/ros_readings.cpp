@@ -1,5 +1,6 @@
 #include "logs/messages/ros_readings.hpp"
 
+#include "logs/messages/packed_points.hpp"
 #include "logs/messages/ros_codec.hpp"
 #include "logs/messages/ros_conversions.hpp"
 
@@ -54,6 +55,26 @@ std::optional<ScanReading> decode_ros_scan(std::string_view encoding, std::span<
     scan.range_min_m = static_cast<double>(message->range_min);
     scan.range_max_m = static_cast<double>(message->range_max);
     scan.ranges_m = std::move(message->ranges);
+    return reading;
+}
+
+std::optional<CloudReading> decode_ros_cloud(std::string_view encoding, std::span<const std::byte> data) {
+    const std::optional<RosPointCloud2> message = decode_ros<RosPointCloud2>(encoding, data);
+    if (!message) {
+        return std::nullopt;
+    }
+    PackedPoints packed{.data = std::as_bytes(std::span(message->data)),
+                        .fields = {},
+                        .rows = message->height,
+                        .points_of_row = message->width,
+                        .point_step = message->point_step,
+                        .row_step = message->row_step,
+                        .big_endian = message->is_bigendian != 0};
+    for (const RosPointField& field : message->point_fields) {
+        packed.fields.push_back({field.name, field.offset, static_cast<PointNumber>(field.datatype)});
+    }
+    CloudReading reading{.stamp_ns = message->header.stamp.ns, .frame_id = message->header.frame_id};
+    unpack_into(reading, packed);
     return reading;
 }
 

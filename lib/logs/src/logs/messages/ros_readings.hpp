@@ -14,6 +14,10 @@ namespace ddtool {
 /// message.
 std::optional<ScanReading> decode_ros_scan(std::string_view encoding, std::span<const std::byte> data);
 
+/// Decodes sensor_msgs PointCloud2 from these encodings. Returns nullopt if the bytes are not such a message; a message
+/// whose points cannot be read has a CloudReading::fault.
+std::optional<CloudReading> decode_ros_cloud(std::string_view encoding, std::span<const std::byte> data);
+
 /// Decodes nav_msgs Odometry, geometry_msgs PoseStamped or tf2_msgs TFMessage; `kind` says which. Returns nullopt if
 /// the bytes are not such a message.
 std::optional<std::vector<PoseReading>> decode_ros_poses(MessageKind kind, std::string_view encoding,

@@ -9,6 +9,7 @@
 #include "base/text.hpp"
 #include "ddtool/base/error.hpp"
 #include "ddtool/system/settings.hpp"
+#include "logs/stream/cloud_scan.hpp"
 #include "logs/stream/topic_names.hpp"
 
 namespace ddtool {
@@ -57,6 +58,7 @@ public:
         choose_ground_truth();
         choose_odometry();
         find_mountings();
+        find_heights();
         find_no_returns();
         plan_.has_information = survey_.has_information;
         return plan_;
@@ -77,23 +79,29 @@ private:
     }
 
     void choose_scan() {
-        const Topics all =
-            topics_where(survey_, [](const TopicSurvey& topic) { return topic.kind == MessageKind::scan; });
+        const bool from_cloud =
+            !options_.cloud_topic.empty() || (options_.scan_topic.empty() && of_kind(MessageKind::scan).empty());
+        const Topics all = of_kind(from_cloud ? MessageKind::cloud : MessageKind::scan);
+        const std::string& named = from_cloud ? options_.cloud_topic : options_.scan_topic;
         Topics scans = all;
         if (!options_.robot.empty()) {
             std::erase_if(scans, [&](const TopicSurvey& topic) { return !is_of_robot(topic, options_.robot); });
         }
-        if (!options_.scan_topic.empty()) {
-            scan_ = find_requested(scans, options_.scan_topic, "scan", file_);
+        if (!named.empty()) {
+            scan_ = find_requested(scans, named, from_cloud ? "point cloud" : "scan", file_);
         } else if (all.empty()) {
             fail_without_scans();
         } else if (scans.empty()) {
             throw UsageError(file_ + ": has no scans of a robot '" + options_.robot + "'; its scan topics are " +
                              names_of(all));
         } else {
-            scan_ = plainest(scans, "scan");
+            scan_ = plainest(scans, from_cloud ? "point cloud" : "scan");
         }
         plan_.scan_topic = scan_.topic;
+    }
+
+    Topics of_kind(MessageKind kind) const {
+        return topics_where(survey_, [&](const TopicSurvey& topic) { return topic.kind == kind; });
     }
 
     /// Whether a scan topic is in the namespace of the robot, or in frames that have its name in front.
@@ -137,7 +145,7 @@ private:
         std::set<std::string> with_scans;
         std::set<std::string> with_both;
         for (const TopicSurvey& topic : survey_.topics) {
-            if (topic.kind == MessageKind::scan) {
+            if (topic.kind == scan_.kind) {
                 with_scans.insert(first_part(topic.topic));
             }
         }
@@ -168,7 +176,7 @@ private:
         for (const TopicSurvey& topic : survey_.topics) {
             found += (found.empty() ? "" : ", ") + topic.topic + " (" + (topic.type.empty() ? "?" : topic.type) + ")";
         }
-        throw Error(file_ + ": holds no laser scans; expected a LaserScan topic, found " +
+        throw Error(file_ + ": holds no laser scans; expected a topic of LaserScan or PointCloud2, found " +
                     (found.empty() ? "no messages" : found));
     }
 
@@ -195,7 +203,8 @@ private:
         }
         if (!options_.odom_topic.empty()) {
             const Topics usable = topics_where(survey_, [](const TopicSurvey& topic) {
-                return topic.kind != MessageKind::scan && topic.kind != MessageKind::other;
+                return topic.kind != MessageKind::scan && topic.kind != MessageKind::cloud &&
+                       topic.kind != MessageKind::other;
             });
             const TopicSurvey& topic = find_requested(usable, options_.odom_topic, "odometry", file_);
             if (!use_odometry(topic) && plan_.faults.empty()) {
@@ -360,6 +369,24 @@ private:
                    "' is taken as the robot");
         }
         return robot;
+    }
+
+    void find_heights() {
+        if (scan_.kind != MessageKind::cloud) {
+            return;
+        }
+        plan_.cloud_beams = options_.cloud_beams;
+        plan_.height = options_.height;
+        if (plan_.height) {
+            return;
+        }
+        const auto mounting = plan_.robot_from_laser.find(scan_frame_);
+        const bool is_known = mounting != plan_.robot_from_laser.end() && !plan_.robot_from_other_laser;
+        const HeightBand band = is_known ? band_around_lidar(mounting->second.translation().z()) : band_around_unknown;
+        assume("the points of " + scan_.topic + " between " + fixed_text(band.min_m, 2) + " and " +
+               fixed_text(band.max_m, 2) + " m above " +
+               (is_known ? "the robot's origin" : "the lidar, whose height on the robot is unknown,") +
+               " become its scans; --height MIN,MAX takes others");
     }
 
     void find_no_returns() {

@@ -28,6 +28,8 @@ struct LogPlan {
     /// For scans in frames without an entry there; empty: such scans cannot be used.
     std::optional<Eigen::Isometry3d> robot_from_other_laser;
     RangeRules ranges;
+    std::optional<HeightBand> height;  ///< of the points of clouds, above the robot's origin, if asked for
+    std::size_t cloud_beams = 0;       ///< as in LogOptions
     std::vector<std::string> assumptions;
     std::vector<std::string> faults;  ///< what cannot be believed in the log, one line each
 };

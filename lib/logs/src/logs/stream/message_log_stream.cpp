@@ -1,9 +1,11 @@
 #include "logs/stream/message_log_stream.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "logs/messages/ros_conversions.hpp"
+#include "logs/stream/cloud_scan.hpp"
 #include "logs/stream/kept_messages.hpp"
 #include "logs/stream/laser_mounting.hpp"
 
@@ -47,7 +49,8 @@ void MessageLogStream::survey(const OpenSource& open, const LogOptions& options)
 }
 
 void MessageLogStream::survey_once(const OpenSource& open, const LogOptions& options) {
-    auto source = std::make_unique<KeptMessages>(open([this](const LogProblem& problem) { report(problem); }));
+    auto source = std::make_unique<KeptMessages>(open([this](const LogProblem& problem) { report(problem); }),
+                                                 options.cloud_topic.empty());
     plan_ = plan_log(survey_log(*source, SurveyExtent::beginning, options), options, file_);
     source->rewind();
     source_ = std::move(source);
@@ -58,10 +61,18 @@ std::optional<SensorFrame> MessageLogStream::next() {
         if (const std::optional<McapMessage> message = source_->next()) {
             take(*message);
         } else {
-            ended_ = true;
+            end();
         }
     }
     return waiting_.empty() ? std::nullopt : std::optional(release_first());
+}
+
+void MessageLogStream::end() {
+    ended_ = true;
+    if (clouds_ > 0 && clouds_in_band_ == 0) {
+        report({file_ + ": none of the " + std::to_string(clouds_) + " clouds of " + plan_.scan_topic +
+                " has a point in the band of heights; expected walls there, see --height MIN,MAX"});
+    }
 }
 
 void MessageLogStream::take(const McapMessage& message) {
@@ -74,9 +85,9 @@ void MessageLogStream::take(const McapMessage& message) {
     if (kind == MessageKind::other) {
         return;
     }
-    if (kind == MessageKind::scan) {
+    if (kind == MessageKind::scan || kind == MessageKind::cloud) {
         if (topic == plan_.scan_topic) {
-            take_scan(message);
+            kind == MessageKind::scan ? take_scan(message) : take_cloud(message);
         }
         return;
     }
@@ -94,17 +105,44 @@ void MessageLogStream::take_scan(const McapMessage& message) {
         report_message(message, "a damaged message");
         return;
     }
-    WaitingScan scan;
-    const Eigen::Isometry3d* robot_from_laser = mounting_of(reading->frame_id);
+    const Eigen::Isometry3d* robot_from_laser = mounting_of(reading->frame_id, message);
     if (robot_from_laser == nullptr) {
-        report_message(message,
-                       "a scan in the frame '" + reading->frame_id + "', which no transform places on the robot,");
         return;
     }
-    if (const auto fault = place_scan(std::move(*reading), *robot_from_laser, plan_.ranges, scan.frame)) {
+    SensorFrame frame;
+    if (const auto fault = place_scan(std::move(*reading), *robot_from_laser, plan_.ranges, frame)) {
         report_message(message, *fault);
         return;
     }
+    wait(std::move(frame));
+}
+
+void MessageLogStream::take_cloud(const McapMessage& message) {
+    const std::optional<CloudReading> reading = decode_cloud(message);
+    if (!reading || !reading->fault.empty() || reading->points_m.empty()) {
+        report_message(message, !reading                 ? "a damaged message"
+                                : reading->fault.empty() ? "a cloud without points"
+                                                         : "a cloud " + reading->fault);
+        return;
+    }
+    const Eigen::Isometry3d* robot_from_laser = mounting_of(reading->frame_id, message);
+    if (robot_from_laser == nullptr) {
+        return;
+    }
+    const bool is_known = plan_.robot_from_laser.contains(reading->frame_id);
+    const HeightBand band = plan_.height ? *plan_.height
+                            : is_known   ? band_around_lidar(robot_from_laser->translation().z())
+                                         : band_around_unknown;
+    SensorFrame frame;
+    place_cloud(*reading, *robot_from_laser, band, plan_.cloud_beams, plan_.ranges, frame);
+    ++clouds_;
+    clouds_in_band_ += std::ranges::any_of(frame.scan.ranges_m, [](float m) { return std::isfinite(m); }) ? 1 : 0;
+    wait(std::move(frame));
+}
+
+void MessageLogStream::wait(SensorFrame frame) {
+    WaitingScan scan;
+    scan.frame = std::move(frame);
     const std::int64_t stamp_ns = scan.frame.scan.stamp_ns;
     scan.has_odometry = plan_.odom_topic.empty() || odometry_.contains(stamp_ns);
     scan.has_ground_truth = plan_.ground_truth_topic.empty() || ground_truth_.contains(stamp_ns);
@@ -174,11 +212,15 @@ bool MessageLogStream::has_rotation(const PoseReading& reading, const McapMessag
     return reading.has_rotation;
 }
 
-const Eigen::Isometry3d* MessageLogStream::mounting_of(const std::string& frame_id) const {
+const Eigen::Isometry3d* MessageLogStream::mounting_of(const std::string& frame_id, const McapMessage& message) {
     if (const auto known = plan_.robot_from_laser.find(frame_id); known != plan_.robot_from_laser.end()) {
         return &known->second;
     }
-    return plan_.robot_from_other_laser ? &*plan_.robot_from_other_laser : nullptr;
+    if (plan_.robot_from_other_laser) {
+        return &*plan_.robot_from_other_laser;
+    }
+    report_message(message, "a scan in the frame '" + frame_id + "', which no transform places on the robot,");
+    return nullptr;
 }
 
 bool MessageLogStream::is_odometry(const PoseReading& reading) const {

@@ -59,13 +59,18 @@ private:
     void survey_once(const OpenSource& open, const LogOptions& options);
     void take(const McapMessage& message);
     void take_scan(const McapMessage& message);
+    void take_cloud(const McapMessage& message);
+    /// Puts a scan among those that wait for their odometry.
+    void wait(SensorFrame frame);
+    /// The source has no more messages.
+    void end();
     void take_odometry(const McapMessage& message);
     void take_ground_truth(const McapMessage& message);
     void take_information(const McapMessage& message);
     /// Reports the message if not.
     bool has_rotation(const PoseReading& reading, const McapMessage& message);
-    /// Null if the frame has no known place on the robot.
-    [[nodiscard]] const Eigen::Isometry3d* mounting_of(const std::string& frame_id) const;
+    /// Null if the frame of the message has no known place on the robot, which is then reported.
+    const Eigen::Isometry3d* mounting_of(const std::string& frame_id, const McapMessage& message);
     [[nodiscard]] bool is_odometry(const PoseReading& reading) const;
     [[nodiscard]] bool first_is_ready() const;
     SensorFrame release_first();
@@ -81,6 +86,8 @@ private:
     PoseTrack ground_truth_;
     std::shared_ptr<ScanTruth> truth_;
     bool ended_ = false;
+    std::size_t clouds_ = 0;          ///< that were read
+    std::size_t clouds_in_band_ = 0;  ///< of these, with a point in the band of heights
 };
 
 }  // namespace ddtool
