@@ -35,6 +35,18 @@ SettingRow<LogOptions> odometry_row() {
             [](const Json& json, LogOptions& options) { options.with_odometry = json.at("odometry") != "none"; }};
 }
 
+SettingRow<LogOptions> echo_row() {
+    return {
+        {"echo",
+         Allowed::one_of({"first", "strongest"}),
+         "",
+         "Which echo is the range of a beam that has several (MultiEchoLaserScan).",
+         "docs/formats/logs.md",
+         {}},
+        [](Json& json, const LogOptions& options) { json["echo"] = options.strongest_echo ? "strongest" : "first"; },
+        [](const Json& json, LogOptions& options) { options.strongest_echo = json.at("echo") == "strongest"; }};
+}
+
 SettingRow<LogOptions> height_row() {
     return {{"height",
              Allowed::numbers(2, -1000.0, 1000.0),
@@ -70,6 +82,7 @@ const SettingTable<LogOptions>& log_rows() {
          "Number of beams of a full turn of the scans that are made from point clouds; 0 for as many as the cloud "
          "fills.",
          "docs/formats/logs.md"},
+        echo_row(),
         odometry_row(),
         {"odom_topic", &LogOptions::odom_topic, Allowed::text(), "",
          "Topic of the odometry or transforms to use; found by type where it is empty.", "docs/formats/logs.md"},

@@ -32,8 +32,9 @@ struct LogOptions {
     std::optional<Pose2> laser_pose;  ///< robot_from_laser, instead of the log's own
     /// The readings that mean no return, in metres, instead of those that are found; 0 alone: there are none.
     std::vector<double> no_return_m;
-    double range_max_m = 0.0;   ///< instead of the log's own; 0: the log's own
-    bool with_odometry = true;  ///< false: the log's odometry is left out
+    bool strongest_echo = false;  ///< of a beam with several echoes; false: the first
+    double range_max_m = 0.0;     ///< instead of the log's own; 0: the log's own
+    bool with_odometry = true;    ///< false: the log's odometry is left out
 };
 
 /// What has been found in a log so far; it is complete when the stream has ended.

@@ -149,6 +149,7 @@ std::optional<Message> decode_cdr(std::span<const std::byte> data) {
     template std::optional<Message> decode_cdr(std::span<const std::byte>);
 DDTOOL_CDR(RosTFMessage)
 DDTOOL_CDR(RosLaserScan)
+DDTOOL_CDR(RosMultiEchoLaserScan)
 DDTOOL_CDR(RosPointCloud2)
 DDTOOL_CDR(RosOdometry)
 DDTOOL_CDR(RosPoseStamped)

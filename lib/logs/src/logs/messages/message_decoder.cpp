@@ -11,13 +11,16 @@
 namespace ddtool {
 namespace {
 
+constexpr std::string_view multi_echo_scan = "sensor_msgs/MultiEchoLaserScan";
+
 struct KnownType {
     std::string_view name;
     MessageKind kind;
 };
 
-constexpr std::array<KnownType, 6> ros_types{{
+constexpr std::array<KnownType, 7> ros_types{{
     {"sensor_msgs/LaserScan", MessageKind::scan},
+    {multi_echo_scan, MessageKind::scan},
     {"sensor_msgs/PointCloud2", MessageKind::cloud},
     {"nav_msgs/Odometry", MessageKind::odometry},
     {"geometry_msgs/PoseStamped", MessageKind::pose},
@@ -65,7 +68,7 @@ void tidy_stamp(std::int64_t& stamp_ns, const McapMessage& message) {
     }
 }
 
-std::optional<ScanReading> decode_raw_scan(const McapMessage& message) {
+std::optional<ScanReading> decode_raw_scan(const McapMessage& message, Echo echo) {
     const std::string& encoding = message.channel->message_encoding;
     if (encoding == "protobuf") {
         return foxglove_protobuf_scan(message.data);
@@ -73,7 +76,9 @@ std::optional<ScanReading> decode_raw_scan(const McapMessage& message) {
     if (encoding == "json") {
         return foxglove_json_scan(message.data);
     }
-    return decode_ros_scan(encoding, message.data);
+    return without_msg(message.channel->schema.name) == multi_echo_scan
+               ? decode_ros_echoes(encoding, message.data, echo)
+               : decode_ros_scan(encoding, message.data);
 }
 
 std::optional<CloudReading> decode_raw_cloud(const McapMessage& message) {
@@ -112,8 +117,8 @@ MessageKind kind_of(const McapChannel& channel) {
     return MessageKind::other;
 }
 
-std::optional<ScanReading> decode_scan(const McapMessage& message) {
-    std::optional<ScanReading> reading = decode_raw_scan(message);
+std::optional<ScanReading> decode_scan(const McapMessage& message, Echo echo) {
+    std::optional<ScanReading> reading = decode_raw_scan(message, echo);
     if (!reading || !is_somewhere(reading->frame_from_scan)) {
         return std::nullopt;
     }

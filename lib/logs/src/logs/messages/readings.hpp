@@ -20,6 +20,14 @@ struct ScanReading {
     LaserScan scan;                                                     ///< ranges as logged, not yet normalised
 };
 
+/// Which echo of a beam counts if it has several.
+enum class Echo {
+    /// The nearest: the space before it is free for certain, and a pane of glass is a wall.
+    first,
+    /// The one with the largest intensity, which looks through rain, dust and glass.
+    strongest,
+};
+
 /// A point cloud as it is in a log, for all message types.
 struct CloudReading {
     std::int64_t stamp_ns = 0;

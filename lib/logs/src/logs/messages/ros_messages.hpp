@@ -85,6 +85,31 @@ struct RosLaserScan {
     }
 };
 
+struct RosLaserEcho {
+    std::vector<float> echoes;
+
+    static void fields(auto& message, auto& archive) { archive(message.echoes); }
+};
+
+struct RosMultiEchoLaserScan {
+    static constexpr const char* type_name = "sensor_msgs/msg/MultiEchoLaserScan";
+    RosHeader header;  ///< stamp of the first ray
+    float angle_min = 0.0F;
+    float angle_max = 0.0F;
+    float angle_increment = 0.0F;
+    float time_increment = 0.0F;  ///< seconds
+    float scan_time = 0.0F;       ///< seconds
+    float range_min = 0.0F;
+    float range_max = 0.0F;
+    std::vector<RosLaserEcho> ranges;       ///< of each ray, from the nearest to the farthest
+    std::vector<RosLaserEcho> intensities;  ///< of the same echoes, or empty
+
+    static void fields(auto& message, auto& archive) {
+        archive(message.header, message.angle_min, message.angle_max, message.angle_increment, message.time_increment,
+                message.scan_time, message.range_min, message.range_max, message.ranges, message.intensities);
+    }
+};
+
 struct RosPointField {
     std::string name;
     std::uint32_t offset = 0;   ///< bytes from the start of the point

@@ -1,5 +1,7 @@
 #include "logs/messages/ros_readings.hpp"
 
+#include <algorithm>
+
 #include "logs/messages/packed_points.hpp"
 #include "logs/messages/ros_codec.hpp"
 #include "logs/messages/ros_conversions.hpp"
@@ -38,6 +40,29 @@ std::optional<Poses> decode_readings(std::string_view encoding, std::span<const 
     return message ? std::optional(ros_readings(*message)) : std::nullopt;
 }
 
+/// A scan without its ranges, from a message that describes its beams as LaserScan does.
+ScanReading without_ranges(const auto& message) {
+    ScanReading reading;
+    reading.frame_id = message.header.frame_id;
+    LaserScan& scan = reading.scan;
+    scan.stamp_ns = message.header.stamp.ns;
+    scan.angle_min_rad = static_cast<double>(message.angle_min);
+    scan.angle_increment_rad = static_cast<double>(message.angle_increment);
+    scan.time_increment_s = static_cast<double>(message.time_increment);
+    scan.range_min_m = static_cast<double>(message.range_min);
+    scan.range_max_m = static_cast<double>(message.range_max);
+    return reading;
+}
+
+/// The number of the largest intensity of the first `echoes`; 0 if there are none.
+std::size_t strongest_of(const std::vector<float>& intensities, std::size_t echoes) {
+    std::size_t strongest = 0;
+    for (std::size_t index = 1; index < std::min(intensities.size(), echoes); ++index) {
+        strongest = intensities[index] > intensities[strongest] ? index : strongest;
+    }
+    return strongest;
+}
+
 }  // namespace
 
 std::optional<ScanReading> decode_ros_scan(std::string_view encoding, std::span<const std::byte> data) {
@@ -45,16 +70,25 @@ std::optional<ScanReading> decode_ros_scan(std::string_view encoding, std::span<
     if (!message) {
         return std::nullopt;
     }
-    ScanReading reading;
-    reading.frame_id = message->header.frame_id;
-    LaserScan& scan = reading.scan;
-    scan.stamp_ns = message->header.stamp.ns;
-    scan.angle_min_rad = static_cast<double>(message->angle_min);
-    scan.angle_increment_rad = static_cast<double>(message->angle_increment);
-    scan.time_increment_s = static_cast<double>(message->time_increment);
-    scan.range_min_m = static_cast<double>(message->range_min);
-    scan.range_max_m = static_cast<double>(message->range_max);
-    scan.ranges_m = std::move(message->ranges);
+    ScanReading reading = without_ranges(*message);
+    reading.scan.ranges_m = std::move(message->ranges);
+    return reading;
+}
+
+std::optional<ScanReading> decode_ros_echoes(std::string_view encoding, std::span<const std::byte> data, Echo echo) {
+    const std::optional<RosMultiEchoLaserScan> message = decode_ros<RosMultiEchoLaserScan>(encoding, data);
+    if (!message) {
+        return std::nullopt;
+    }
+    ScanReading reading = without_ranges(*message);
+    for (std::size_t beam = 0; beam < message->ranges.size(); ++beam) {
+        const std::vector<float>& ranges = message->ranges[beam].echoes;
+        const bool has_intensities = beam < message->intensities.size();
+        reading.scan.ranges_m.push_back(ranges.empty() ? LaserScan::invalid
+                                        : echo == Echo::strongest && has_intensities
+                                            ? ranges[strongest_of(message->intensities[beam].echoes, ranges.size())]
+                                            : ranges.front());
+    }
     return reading;
 }
 

@@ -14,6 +14,11 @@ namespace ddtool {
 /// message.
 std::optional<ScanReading> decode_ros_scan(std::string_view encoding, std::span<const std::byte> data);
 
+/// Decodes sensor_msgs MultiEchoLaserScan from these encodings. A beam without an echo is invalid, because its drivers
+/// leave out both missing returns and failed measurements. Where the message has no intensities, the first echo is the
+/// strongest. Returns nullopt if the bytes are not such a message.
+std::optional<ScanReading> decode_ros_echoes(std::string_view encoding, std::span<const std::byte> data, Echo echo);
+
 /// Decodes sensor_msgs PointCloud2 from these encodings. Returns nullopt if the bytes are not such a message; a message
 /// whose points cannot be read has a CloudReading::fault.
 std::optional<CloudReading> decode_ros_cloud(std::string_view encoding, std::span<const std::byte> data);

@@ -59,6 +59,7 @@ public:
         choose_odometry();
         find_mountings();
         find_heights();
+        find_echo();
         find_no_returns();
         plan_.has_information = survey_.has_information;
         return plan_;
@@ -369,6 +370,15 @@ private:
                    "' is taken as the robot");
         }
         return robot;
+    }
+
+    void find_echo() {
+        plan_.echo = options_.strongest_echo ? Echo::strongest : Echo::first;
+        if (scan_.type.ends_with("/MultiEchoLaserScan")) {
+            assume("of each beam of " + scan_.topic + " the " +
+                   (options_.strongest_echo ? "strongest echo is used"
+                                            : "first echo is used; --set log.echo=strongest uses the strongest"));
+        }
     }
 
     void find_heights() {

@@ -27,6 +27,7 @@ struct LogPlan {
     std::map<std::string, Eigen::Isometry3d> robot_from_laser;
     /// For scans in frames without an entry there; empty: such scans cannot be used.
     std::optional<Eigen::Isometry3d> robot_from_other_laser;
+    Echo echo = Echo::first;  ///< of beams with several
     RangeRules ranges;
     std::optional<HeightBand> height;  ///< of the points of clouds, above the robot's origin, if asked for
     std::size_t cloud_beams = 0;       ///< as in LogOptions

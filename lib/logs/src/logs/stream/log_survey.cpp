@@ -63,8 +63,9 @@ private:
         return std::any_of(topics_.begin(), topics_.end(),
                            [&](const auto& entry) { return entry.second.kind == kind; });
     }
-    static void note_scan(const McapMessage& message, TopicSurvey& topic) {
-        const std::optional<ScanReading> reading = decode_scan(message);
+    void note_scan(const McapMessage& message, TopicSurvey& topic) const {
+        const std::optional<ScanReading> reading =
+            decode_scan(message, options_.strongest_echo ? Echo::strongest : Echo::first);
         if (!reading) {
             return;
         }

@@ -100,7 +100,7 @@ void MessageLogStream::take(const McapMessage& message) {
 }
 
 void MessageLogStream::take_scan(const McapMessage& message) {
-    std::optional<ScanReading> reading = decode_scan(message);
+    std::optional<ScanReading> reading = decode_scan(message, plan_.echo);
     if (!reading) {
         report_message(message, "a damaged message");
         return;
