@@ -72,7 +72,9 @@ const SettingTable<LogOptions>& log_rows() {
          "used.",
          "docs/formats/logs.md"},
         {"scan_topic", &LogOptions::scan_topic, Allowed::text(), "",
-         "Topic of the laser scans to use; found by type where it is empty.", "docs/formats/logs.md"},
+         "Topic of the laser scans to use; found by type where it is empty. Several, separated by commas, are several "
+         "lidars, of which the first is the one that gives the poses.",
+         "docs/formats/logs.md"},
         {"cloud_topic", &LogOptions::cloud_topic, Allowed::text(), "",
          "Topic of the point clouds from which scans are made; found by type where it is empty and there are no laser "
          "scans.",
@@ -107,12 +109,12 @@ void append_log_options(std::vector<Option>& options) {
     options.insert(
         options.end(),
         {{"--robot", SettingPath{"log.robot"}, "Of several robots, the one with this name before its topics or frames"},
-         {"--scan-topic", SettingPath{"log.scan_topic"}, "Laser scans to use; found by type where not given"},
+         {"--scan-topic", SettingPath{"log.scan_topic"},
+          "Laser scans to use; found by type where not given; several lidars: A,B"},
          {"--cloud-topic", SettingPath{"log.cloud_topic"},
           "Point clouds to make scans of; found by type where not given and without laser scans"},
          {"--height", SettingPath{"log.height"},
-          "The points of a cloud between these heights become its scan, MIN,MAX in metres above the robot's origin; "
-          "else around the lidar"},
+          "MIN,MAX in metres above the robot's origin: points of a cloud there become its scan; else around the lidar"},
          {"--odometry", SettingPath{"log.odometry"},
           "none: leave out the log's odometry and work out the motion from the scans", "log|none"},
          {"--odom-topic", SettingPath{"log.odom_topic"},

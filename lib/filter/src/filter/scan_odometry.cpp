@@ -37,6 +37,7 @@ std::optional<SensorFrame> ScanOdometryStream::next() {
     if (!frame) {
         return frame;
     }
+    place_joined(*frame);
     const ScanPoints points = scan_points(*frame, settings_.points);
     if (started_) {
         const Pose2 found = match(*frame, points);
@@ -52,7 +53,20 @@ std::optional<SensorFrame> ScanOdometryStream::next() {
     started_ = true;
     stamp_ns_ = frame->scan.stamp_ns;
     frame->odom_from_robot = pose_;
+    for (SensorFrame& other : frame->joined) {
+        other.odom_from_robot = pose_ * other.odom_from_robot;
+    }
     return frame;
+}
+
+/// Places the joined scans by the speed between the last two frames, in the robot's frame at the stamp of this one.
+void ScanOdometryStream::place_joined(SensorFrame& frame) const {
+    frame.odom_from_robot = {};
+    for (SensorFrame& other : frame.joined) {
+        const std::int64_t since_ns = frame.scan.stamp_ns - other.scan.stamp_ns;
+        const Pose2 since = at_same_speed(motion_, step_ns_, std::abs(since_ns));
+        other.odom_from_robot = since_ns == 0 || step_ns_ <= 0 ? Pose2{} : since_ns > 0 ? inverse(since) : since;
+    }
 }
 
 Pose2 ScanOdometryStream::match(const SensorFrame& frame, const ScanPoints& points) {

@@ -18,6 +18,7 @@ public:
     [[nodiscard]] double fraction_read() const override { return source_.fraction_read(); }
 
 private:
+    void place_joined(SensorFrame& frame) const;
     Pose2 match(const SensorFrame& frame, const ScanPoints& points);
     void enter(const ScanPoints& points);
 

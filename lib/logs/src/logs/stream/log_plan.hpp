@@ -12,10 +12,16 @@
 
 namespace ddtool {
 
+/// A topic of scans, or of clouds that become scans.
+struct LidarPlan {
+    std::string topic;
+    RangeRules ranges;
+};
+
 /// Which messages of a log are used, and how.
 struct LogPlan {
-    std::string scan_topic;
-    std::string odom_topic;  ///< empty: the log has no odometry
+    std::vector<LidarPlan> lidars;  ///< at least one; the first is the one whose frames others are joined to
+    std::string odom_topic;         ///< empty: the log has no odometry
     std::string ground_truth_topic;
     bool has_information = false;  ///< the log has the Fisher information of every scan, from the simulator
     /// If the odometry comes from transforms: the frames between which the transform is taken.
@@ -27,8 +33,7 @@ struct LogPlan {
     std::map<std::string, Eigen::Isometry3d> robot_from_laser;
     /// For scans in frames without an entry there; empty: such scans cannot be used.
     std::optional<Eigen::Isometry3d> robot_from_other_laser;
-    Echo echo = Echo::first;  ///< of beams with several
-    RangeRules ranges;
+    Echo echo = Echo::first;           ///< of beams with several
     std::optional<HeightBand> height;  ///< of the points of clouds, above the robot's origin, if asked for
     std::size_t cloud_beams = 0;       ///< as in LogOptions
     std::vector<std::string> assumptions;

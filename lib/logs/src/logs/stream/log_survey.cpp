@@ -58,7 +58,11 @@ public:
     }
 
 private:
-    [[nodiscard]] bool has(const std::string& topic) const { return topic.empty() || topics_.contains(topic); }
+    /// Whether the topics that an option names are all there.
+    [[nodiscard]] bool has(const std::string& option) const {
+        return std::ranges::all_of(topics_named(option),
+                                   [&](const std::string& topic) { return topics_.contains(topic); });
+    }
     [[nodiscard]] bool has_kind(MessageKind kind) const {
         return std::any_of(topics_.begin(), topics_.end(),
                            [&](const auto& entry) { return entry.second.kind == kind; });

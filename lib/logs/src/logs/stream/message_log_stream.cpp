@@ -32,7 +32,13 @@ MessageLogStream::MessageLogStream(const OpenSource& open, Opening opening, std:
         survey_once(open, options);
     }
     summary_.format = std::move(format);
-    summary_.scan_topic = plan_.scan_topic;
+    for (const LidarPlan& lidar : plan_.lidars) {
+        if (&lidar == &plan_.lidars.front()) {
+            summary_.scan_topic = lidar.topic;
+        } else {
+            summary_.more_scan_topics.push_back(lidar.topic);
+        }
+    }
     summary_.odom_topic = plan_.odom_topic;
     summary_.has_odometry = !plan_.odom_topic.empty();
     summary_.ground_truth_topic = plan_.ground_truth_topic;
@@ -70,7 +76,7 @@ std::optional<SensorFrame> MessageLogStream::next() {
 void MessageLogStream::end() {
     ended_ = true;
     if (clouds_ > 0 && clouds_in_band_ == 0) {
-        report({file_ + ": none of the " + std::to_string(clouds_) + " clouds of " + plan_.scan_topic +
+        report({file_ + ": none of the " + std::to_string(clouds_) + " clouds of the log" +
                 " has a point in the band of heights; expected walls there, see --height MIN,MAX"});
     }
 }
@@ -86,8 +92,10 @@ void MessageLogStream::take(const McapMessage& message) {
         return;
     }
     if (kind == MessageKind::scan || kind == MessageKind::cloud) {
-        if (topic == plan_.scan_topic) {
-            kind == MessageKind::scan ? take_scan(message) : take_cloud(message);
+        const auto lidar = std::ranges::find(plan_.lidars, topic, &LidarPlan::topic);
+        if (lidar != plan_.lidars.end()) {
+            const auto number = static_cast<std::size_t>(lidar - plan_.lidars.begin());
+            kind == MessageKind::scan ? take_scan(message, number) : take_cloud(message, number);
         }
         return;
     }
@@ -99,7 +107,7 @@ void MessageLogStream::take(const McapMessage& message) {
     }
 }
 
-void MessageLogStream::take_scan(const McapMessage& message) {
+void MessageLogStream::take_scan(const McapMessage& message, std::size_t lidar) {
     std::optional<ScanReading> reading = decode_scan(message, plan_.echo);
     if (!reading) {
         report_message(message, "a damaged message");
@@ -110,14 +118,15 @@ void MessageLogStream::take_scan(const McapMessage& message) {
         return;
     }
     SensorFrame frame;
-    if (const auto fault = place_scan(std::move(*reading), *robot_from_laser, plan_.ranges, frame)) {
+    frame.lidar = lidar;
+    if (const auto fault = place_scan(std::move(*reading), *robot_from_laser, plan_.lidars[lidar].ranges, frame)) {
         report_message(message, *fault);
         return;
     }
     wait(std::move(frame));
 }
 
-void MessageLogStream::take_cloud(const McapMessage& message) {
+void MessageLogStream::take_cloud(const McapMessage& message, std::size_t lidar) {
     const std::optional<CloudReading> reading = decode_cloud(message);
     if (!reading || !reading->fault.empty() || reading->points_m.empty()) {
         report_message(message, !reading                 ? "a damaged message"
@@ -134,7 +143,8 @@ void MessageLogStream::take_cloud(const McapMessage& message) {
                             : is_known   ? band_around_lidar(robot_from_laser->translation().z())
                                          : band_around_unknown;
     SensorFrame frame;
-    place_cloud(*reading, *robot_from_laser, band, plan_.cloud_beams, plan_.ranges, frame);
+    frame.lidar = lidar;
+    place_cloud(*reading, *robot_from_laser, band, plan_.cloud_beams, plan_.lidars[lidar].ranges, frame);
     ++clouds_;
     clouds_in_band_ += std::ranges::any_of(frame.scan.ranges_m, [](float m) { return std::isfinite(m); }) ? 1 : 0;
     wait(std::move(frame));

@@ -58,8 +58,8 @@ private:
     void survey(const OpenSource& open, const LogOptions& options);
     void survey_once(const OpenSource& open, const LogOptions& options);
     void take(const McapMessage& message);
-    void take_scan(const McapMessage& message);
-    void take_cloud(const McapMessage& message);
+    void take_scan(const McapMessage& message, std::size_t lidar);
+    void take_cloud(const McapMessage& message, std::size_t lidar);
     /// Puts a scan among those that wait for their odometry.
     void wait(SensorFrame frame);
     /// The source has no more messages.

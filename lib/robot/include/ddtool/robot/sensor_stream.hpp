@@ -1,7 +1,9 @@
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "ddtool/robot/laser_scan.hpp"
 #include "ddtool/robot/pose2.hpp"
@@ -16,6 +18,10 @@ struct SensorFrame {
     Pose2 robot_from_laser;                 ///< the pose of the lidar on the robot
     Pose2 odom_from_robot;                  ///< odometry, interpolated to the scan's stamp
     std::optional<Pose2> world_from_robot;  ///< the true pose at the stamp of the scan, if the source has it
+    std::size_t lidar = 0;                  ///< which of the robot's lidars took the scan
+    /// Scans of other lidars that are used together with this one, each with what is known at its own stamp. Between
+    /// their stamps and this one the robot moved as odom_from_robot says.
+    std::vector<SensorFrame> joined = {};
 };
 
 /// A sequence of frames in the order of the source. Logs and the simulator produce streams and the filter consumes
