@@ -27,9 +27,10 @@ void check_output(const std::string& input, const std::string& output) {
 std::string or_none(const std::string& topic) { return topic.empty() ? "none" : topic; }
 
 std::string result_text(const LogSummary& summary, const std::string& output) {
+    const std::string more = summary.more_scan_topics.empty() ? "" : ", " + joined(summary.more_scan_topics);
     return output + ": " + std::to_string(summary.scans) + " scans (" + summary.format + " " + summary.scan_topic +
-           "), odometry " + or_none(summary.odom_topic) + ", ground truth " + or_none(summary.ground_truth_topic) +
-           "\n";
+           more + "), odometry " + or_none(summary.odom_topic) + ", ground truth " +
+           or_none(summary.ground_truth_topic) + "\n";
 }
 
 Json result_json(const std::string& input, const LogSummary& summary, const std::string& output) {

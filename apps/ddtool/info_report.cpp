@@ -1,5 +1,6 @@
 #include "info_report.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <ctime>
@@ -29,6 +30,9 @@ std::string utc(std::int64_t time_ns) {
 }
 
 std::string used_as(const std::string& topic, const LogSummary& summary) {
+    if (std::ranges::count(summary.more_scan_topics, topic) > 0) {
+        return "scans";
+    }
     if (topic == summary.scan_topic) {
         return topic == summary.odom_topic ? "scans, odometry" : "scans";
     }
@@ -77,8 +81,10 @@ std::string beams_text(const LogUse& use) {
 
 std::string use_text(const LogUse& use) {
     std::string text = "scans     " + std::to_string(use.summary.scans) + " of " + beams_text(use) + " beams over " +
-                       fixed(degrees_per_rad * use.field_of_view_rad, 1) + " deg, up to " + fixed(use.range_max_m, 1) +
-                       " m, " + fixed(scans_hz(use), 1) + " Hz; longest gap " + fixed(use.longest_gap_s, 2) + " s; " +
+                       fixed(degrees_per_rad * use.field_of_view_rad, 1) + " deg" +
+                       (use.lidars > 1 ? " of " + std::to_string(use.lidars) + " lidars" : "") + ", up to " +
+                       fixed(use.range_max_m, 1) + " m, " + fixed(scans_hz(use), 1) + " Hz; longest gap " +
+                       fixed(use.longest_gap_s, 2) + " s; " +
                        fixed(100.0 * static_cast<double>(use.returns) / static_cast<double>(use.beams), 0) +
                        " % of the beams have a range\n";
     if (use.stamps_back > 0) {
@@ -135,6 +141,7 @@ Json topic_json(const TopicInventory& topic, const LogSummary& summary) {
 
 Json use_json(const std::string& file, const LogUse& use) {
     return {{"scan_topic", use.summary.scan_topic},
+            {"more_scan_topics", use.summary.more_scan_topics},
             {"odom_topic", use.summary.odom_topic},
             {"imu_topic", use.summary.imu_topic},
             {"ground_truth_topic", use.summary.ground_truth_topic},

@@ -35,6 +35,36 @@ SettingRow<LogOptions> odometry_row() {
             [](const Json& json, LogOptions& options) { options.with_odometry = json.at("odometry") != "none"; }};
 }
 
+SettingRow<LogOptions> echo_row() {
+    return {
+        {"echo",
+         Allowed::one_of({"first", "strongest"}),
+         "",
+         "Which echo is the range of a beam that has several (MultiEchoLaserScan).",
+         "docs/formats/logs.md",
+         {}},
+        [](Json& json, const LogOptions& options) { json["echo"] = options.strongest_echo ? "strongest" : "first"; },
+        [](const Json& json, LogOptions& options) { options.strongest_echo = json.at("echo") == "strongest"; }};
+}
+
+SettingRow<LogOptions> height_row() {
+    return {{"height",
+             Allowed::numbers(2, -1000.0, 1000.0),
+             "m",
+             "Least and largest height above the robot's origin of the points of a cloud that become its scans; empty "
+             "for those around the lidar.",
+             "docs/formats/logs.md",
+             {}},
+            [](Json& json, const LogOptions& options) {
+                const auto& height = options.height;
+                json["height"] = height ? Json{height->min_m, height->max_m} : Json::array();
+            },
+            [](const Json& json, LogOptions& options) {
+                const Json& height = json.at("height");
+                options.height = height.empty() ? std::nullopt : std::optional(HeightBand{height[0], height[1]});
+            }};
+}
+
 const SettingTable<LogOptions>& log_rows() {
     static const SettingTable<LogOptions> rows{
         {"robot", &LogOptions::robot, Allowed::text(), "",
@@ -42,7 +72,19 @@ const SettingTable<LogOptions>& log_rows() {
          "used.",
          "docs/formats/logs.md"},
         {"scan_topic", &LogOptions::scan_topic, Allowed::text(), "",
-         "Topic of the laser scans to use; found by type where it is empty.", "docs/formats/logs.md"},
+         "Topic of the laser scans to use; found by type where it is empty. Several, separated by commas, are several "
+         "lidars, of which the first is the one that gives the poses.",
+         "docs/formats/logs.md"},
+        {"cloud_topic", &LogOptions::cloud_topic, Allowed::text(), "",
+         "Topic of the point clouds from which scans are made; found by type where it is empty and there are no laser "
+         "scans.",
+         "docs/formats/logs.md"},
+        height_row(),
+        {"cloud_beams", &LogOptions::cloud_beams, Allowed::whole(0, 100000), "",
+         "Number of beams of a full turn of the scans that are made from point clouds; 0 for as many as the cloud "
+         "fills.",
+         "docs/formats/logs.md"},
+        echo_row(),
         odometry_row(),
         {"odom_topic", &LogOptions::odom_topic, Allowed::text(), "",
          "Topic of the odometry or transforms to use; found by type where it is empty.", "docs/formats/logs.md"},
@@ -71,7 +113,12 @@ void append_log_options(std::vector<Option>& options) {
     options.insert(
         options.end(),
         {{"--robot", SettingPath{"log.robot"}, "Of several robots, the one with this name before its topics or frames"},
-         {"--scan-topic", SettingPath{"log.scan_topic"}, "Laser scans to use; found by type where not given"},
+         {"--scan-topic", SettingPath{"log.scan_topic"},
+          "Laser scans to use; found by type where not given; several lidars: A,B"},
+         {"--cloud-topic", SettingPath{"log.cloud_topic"},
+          "Point clouds to make scans of; found by type where not given and without laser scans"},
+         {"--height", SettingPath{"log.height"},
+          "MIN,MAX in metres above the robot's origin: points of a cloud there become its scan; else around the lidar"},
          {"--odometry", SettingPath{"log.odometry"},
           "none: leave out the log's odometry and work out the motion from the scans", "log|none"},
          {"--odom-topic", SettingPath{"log.odom_topic"},
@@ -89,7 +136,13 @@ void append_log_options(std::vector<Option>& options) {
 
 Json default_log_settings() { return log_rows().json({}); }
 
-LogOptions log_options(const Json& log_settings) { return log_rows().checked(log_settings, "log"); }
+LogOptions log_options(const Json& log_settings) {
+    LogOptions options = log_rows().checked(log_settings, "log");
+    if (options.height && !(options.height->min_m < options.height->max_m)) {
+        throw UsageError("log.height: expected the lower height first, and a higher one behind it");
+    }
+    return options;
+}
 
 LogProblemHandler LogReport::handler() {
     return [this](const LogProblem& problem) {

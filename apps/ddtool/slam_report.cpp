@@ -8,6 +8,7 @@ Json log_report(const std::string& file, const LogSummary& log) {
     return {{"file", file},
             {"format", log.format},
             {"scan_topic", log.scan_topic},
+            {"more_scan_topics", log.more_scan_topics},
             {"odom_topic", log.odom_topic},
             {"imu_topic", log.imu_topic},
             {"ground_truth_topic", log.ground_truth_topic},

@@ -11,7 +11,7 @@ struct MessageType {
 };
 
 /// The kinds of message from which the first byte of an input chooses, for the reader "message".
-inline constexpr std::array<MessageType, 17> message_types{{
+inline constexpr std::array<MessageType, 23> message_types{{
     {"/scan", "cdr", "sensor_msgs/msg/LaserScan"},
     {"/odom", "cdr", "nav_msgs/msg/Odometry"},
     {"/pose", "cdr", "geometry_msgs/msg/PoseStamped"},
@@ -29,6 +29,12 @@ inline constexpr std::array<MessageType, 17> message_types{{
     {"/tf", "json", "foxglove.FrameTransform"},
     {"/tf", "json", "foxglove.FrameTransforms"},
     {"/fisher_information", "cdr", "std_msgs/msg/Float64MultiArray"},
+    {"/points", "cdr", "sensor_msgs/msg/PointCloud2"},
+    {"/points", "ros1", "sensor_msgs/PointCloud2"},
+    {"/points", "protobuf", "foxglove.PointCloud"},
+    {"/points", "json", "foxglove.PointCloud"},
+    {"/scan", "cdr", "sensor_msgs/msg/MultiEchoLaserScan"},
+    {"/scan", "ros1", "sensor_msgs/MultiEchoLaserScan"},
 }};
 
 }  // namespace ddtool::fuzz

@@ -19,6 +19,7 @@ void read_message(std::span<const char> content) {
     const McapMessage message{.channel = &channel, .log_time_ns = 1, .data = std::as_bytes(content.subspan(1))};
     (void)kind_of(channel);
     (void)decode_scan(message);
+    (void)decode_cloud(message);
     (void)decode_poses(message);
     if (is_information(channel)) {
         (void)decode_information(message);

@@ -107,5 +107,37 @@ TEST(ScanInsertion, OfAScanWithoutReturnsObservesNothing) {
     EXPECT_TRUE(grid.observed_box().empty());
 }
 
+/// A scan of the world by a lidar at another place on the robot.
+SensorFrame seen_by(const sim::World& world, const Pose2& pose, const Pose2& robot_from_laser) {
+    SensorFrame frame = exact_scan(world, pose * robot_from_laser, 720, 30.0);
+    frame.robot_from_laser = robot_from_laser;
+    frame.odom_from_robot = pose;
+    return frame;
+}
+
+TEST(ScanInsertion, OfJoinedScansSeesWhatEachOfThemSees) {
+    const sim::World world =
+        room(9.06, 7.06);  // no wall, and no edge of the free space before it, is at the edge of a cell
+    const Pose2 before{0.3, -0.5, 0.1};
+    const Pose2 pose = before * Pose2{0.2, 0.0, 0.3};
+    const SensorFrame rear = seen_by(world, before, {-0.4, 0.1, 3.0});
+    SensorFrame front = seen_by(world, pose, {0.4, 0.0, 0.0});
+    OccupancyGrid each = grid_of_scan(scan_points(front, {}), pose);
+    ScanInserter().insert(each, scan_points(rear, {}), before);
+    front.joined = {rear};
+    const ScanPoints points = scan_points(front, {});
+    const OccupancyGrid both = grid_of_scan(points, pose);
+    EXPECT_TRUE(every_end_point_is_occupied(both, points, pose));
+    std::size_t cells = 0;
+    std::size_t different = 0;
+    for_each_observed(each, [&](const Cell& cell) {
+        ++cells;
+        different += both.log_odds(cell) == Patch::unknown ? 1 : 0;
+    });
+    for_each_observed(both, [&](const Cell& cell) { different += each.log_odds(cell) == Patch::unknown ? 1 : 0; });
+    EXPECT_GT(cells, 1000U);
+    EXPECT_LT(different, cells / 2000);
+}
+
 }  // namespace
 }  // namespace ddtool

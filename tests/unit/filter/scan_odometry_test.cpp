@@ -80,5 +80,29 @@ TEST(ScanOdometry, StaysFiniteWithoutReturnsAndWithoutTime) {
     }
 }
 
+/// Frames to each of which the one before is joined.
+std::vector<SensorFrame> joined_in_pairs(const std::vector<SensorFrame>& frames) {
+    std::vector<SensorFrame> pairs;
+    for (std::size_t i = 1; i < frames.size(); ++i) {
+        pairs.push_back(frames[i]);
+        pairs.back().joined = {frames[i - 1]};
+    }
+    return pairs;
+}
+
+TEST(ScanOdometry, PlacesJoinedScansByTheSpeed) {
+    const std::vector<SensorFrame> frames = with_scan_odometry(joined_in_pairs(room_drive()));
+    EXPECT_LT(largest_odometry_error_m(frames), 0.1);
+    double error_m = 0.0;
+    double way_m = 0.0;
+    for (const SensorFrame& frame : frames) {
+        const SensorFrame& other = frame.joined.at(0);
+        const Pose2 truth = between(*frame.world_from_robot, *other.world_from_robot);
+        error_m += distance_m(between(frame.odom_from_robot, other.odom_from_robot), truth);
+        way_m += distance_m({}, truth);
+    }
+    EXPECT_LT(error_m, 0.3 * way_m);
+}
+
 }  // namespace
 }  // namespace ddtool

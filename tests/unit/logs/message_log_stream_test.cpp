@@ -544,5 +544,81 @@ TEST_F(Log, AStampOfZeroIsTheTimeOfRecording) {
     EXPECT_EQ(read().at(0).scan.stamp_ns, 7 * second);
 }
 
+/// A robot with a lidar in front and one behind, whose scans are taken at other times.
+class TwoLidars : public Log {
+protected:
+    void drive() {
+        transform("base", "front", Pose2{0.3, 0.0, 0.0});
+        transform("base", "rear", Pose2{-0.3, 0.0, std::numbers::pi});
+        for (int i = 0; i < 20; ++i) {
+            odometry(i, i);
+            scan_in("front", i + 0.25, "/front/scan");
+            scan_in("rear", i + 0.75, "/rear/scan");
+        }
+        odometry(20, 20);
+    }
+    static LogOptions both() {
+        LogOptions options;
+        options.scan_topic = "/front/scan,/rear/scan";
+        return options;
+    }
+};
+
+TEST_F(TwoLidars, AreEachPlacedByTheirOwnMountingAndStamp) {
+    drive();
+    const auto frames = read(both());
+    ASSERT_EQ(frames.size(), 40U);
+    for (std::size_t i = 0; i < frames.size(); ++i) {
+        const bool is_rear = i % 2 == 1;
+        EXPECT_EQ(frames[i].lidar, is_rear ? 1U : 0U);
+        EXPECT_NEAR(frames[i].robot_from_laser.x_m, is_rear ? -0.3 : 0.3, 1e-9);
+        EXPECT_NEAR(frames[i].odom_from_robot.x_m, 0.25 + 0.5 * static_cast<double>(i), 1e-9);
+    }
+    EXPECT_EQ(stream_->summary().scan_topic, "/front/scan");
+    EXPECT_THAT(stream_->summary().more_scan_topics, ElementsAre("/rear/scan"));
+    EXPECT_TRUE(problems_.empty());
+}
+
+TEST_F(TwoLidars, AreNotUsedTogetherUnlessAskedFor) {
+    drive();
+    EXPECT_EQ(read().size(), 20U);
+    EXPECT_EQ(stream_->summary().scan_topic, "/rear/scan");
+    EXPECT_THAT(stream_->summary().assumptions,
+                ElementsAre(HasSubstr("several scan topics"), HasSubstr("--scan-topic /rear/scan,/front/scan")));
+}
+
+TEST_F(TwoLidars, OfWhichOneHasNoPlaceAreUsedWithoutIt) {
+    drive();
+    for (int i = 0; i < 20; ++i) {
+        scan_in("unknown", i + 0.5, "/side/scan");
+    }
+    LogOptions options;
+    options.scan_topic = "/front/scan,/side/scan";
+    EXPECT_EQ(read(options).size(), 20U);
+    EXPECT_THAT(problems_, ElementsAre(HasSubstr("/side/scan are not used: no transform places their frame")));
+}
+
+TEST_F(TwoLidars, OfWhichOneHasAnotherClockAreUsedWithoutIt) {
+    drive();
+    transform("base", "side", Pose2{0.0, 0.3, 0.0});
+    for (int i = 0; i < 20; ++i) {
+        log_.add("/side/scan", at(i + 0.5), scan_message(i + 1000.5, "side"));
+    }
+    LogOptions options;
+    options.scan_topic = "/front/scan,/side/scan";
+    EXPECT_EQ(read(options).size(), 20U);
+    EXPECT_THAT(problems_, ElementsAre(HasSubstr("their clock differs from that of /front/scan by 1000")));
+}
+
+TEST_F(TwoLidars, AreNotPlacedByOnePose) {
+    drive();
+    LogOptions options = both();
+    options.laser_pose = Pose2{0.1, 0.0, 0.0};
+    EXPECT_THAT(failure(options), HasSubstr("--laser-pose is the pose of one lidar"));
+    options = both();
+    options.scan_topic += ",/none";
+    EXPECT_THAT(failure(options), HasSubstr("no scan topic '/none'"));
+}
+
 }  // namespace
 }  // namespace ddtool

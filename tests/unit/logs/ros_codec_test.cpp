@@ -52,8 +52,9 @@ Message filled() {
 template <typename Message>
 class RosCodec : public testing::Test {};
 
-using Messages = testing::Types<RosTFMessage, RosLaserScan, RosOdometry, RosPoseStamped, RosPoseArray, RosPath,
-                                RosOccupancyGrid, RosFloat64MultiArray, RosParticleSnapshot>;
+using Messages =
+    testing::Types<RosTFMessage, RosLaserScan, RosMultiEchoLaserScan, RosPointCloud2, RosOdometry, RosPoseStamped,
+                   RosPoseArray, RosPath, RosOccupancyGrid, RosFloat64MultiArray, RosParticleSnapshot>;
 TYPED_TEST_SUITE(RosCodec, Messages);
 
 /// Messages have no operator==. Their ROS 1 encodings are compared instead, which contain all fields and no padding.

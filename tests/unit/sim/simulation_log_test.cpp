@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 #include "ddtool/logs/log_stream.hpp"
@@ -111,6 +112,27 @@ TEST(SimulationLog, HoldsTheFisherInformationOfEveryScanAtItsStamp) {
         EXPECT_EQ(matrix->data[0], expected.fisher_information(0, 0));
     }
     EXPECT_EQ(index, simulation.frame_count());
+}
+
+TEST(SimulationLog, HasTheScansOfAllLidars) {
+    const test::TemporaryFolder folder;
+    SimulationSettings settings = logged_settings();
+    settings.more_lasers = {{-0.2, 0.0, 3.0}};
+    const Simulation simulation(short_drive(), settings);
+    write_simulation_log(simulation, folder / "two.mcap", [](std::size_t) {});
+    LogOptions options;
+    options.scan_topic = "/scan,/scan_2";
+    const auto log = open_log(folder / "two.mcap", options, {});
+    std::array<std::size_t, 2> count{};
+    while (const std::optional<SensorFrame> frame = log->next()) {
+        const SimulatedFrame expected = simulation.frame(count.at(frame->lidar)++, frame->lidar);
+        expect_same_scan(frame->scan, expected.frame.scan);
+        expect_near(frame->robot_from_laser, expected.frame.robot_from_laser);
+        expect_near(frame->odom_from_robot, expected.frame.odom_from_robot);
+    }
+    EXPECT_EQ(count[0], simulation.frame_count());
+    EXPECT_EQ(count[1], simulation.frame_count(1));
+    EXPECT_EQ(log->summary().problems, 0U);
 }
 
 TEST(SimulationLog, IsTheSameBytesTwice) {

@@ -85,12 +85,7 @@ std::vector<Setting> build_setting_list() {
          "A simulated drive that takes more updates, times particles, is cut to a window of so many.",
          "",
          {}},
-        {"simulation",
-         {},
-         "",
-         "",
-         "",
-         without(without(without(sim::simulation_setting_list(), "world"), "seed"), "imu")},
+        {"simulation", {}, "", "", "", sim::common_simulation_setting_list()},
         {"filter", {}, "", "", "", without(filter_setting_list(), "seed")},
     };
     const std::vector<Setting>& assembly = assembly_rows().settings();

@@ -25,12 +25,13 @@ double shrink(Point2 origin, Point2 a, Point2 b, double margin_cells) {
 }  // namespace
 
 const std::vector<CellSpan>& FreeSpace::find(const ScanPoints& points, const std::vector<Point2>& ends_cells,
-                                             Point2 origin_cells) {
+                                             Point2 origin_cells, std::size_t begin, std::size_t end) {
     crossings_.clear();
     spans_.clear();
+    end = std::min(end, ends_cells.size());
     double share_before = 0.0;
-    for (std::size_t i = 0; i < ends_cells.size(); ++i) {
-        const bool has_next = i + 1 < ends_cells.size() && points.order[i + 1] - points.order[i] == 1;
+    for (std::size_t i = begin; i < end; ++i) {
+        const bool has_next = i + 1 < end && points.order[i + 1] - points.order[i] == 1;
         const double share = has_next ? shrink(origin_cells, ends_cells[i], ends_cells[i + 1], margin_cells_) : 0.0;
         const Point2 near_point = towards(origin_cells, ends_cells[i], share);
         // Two neighbouring triangles each have an edge along this beam. Only the part of it that belongs to one

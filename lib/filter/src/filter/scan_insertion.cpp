@@ -44,14 +44,26 @@ void expect_on_earth(const Point2& laser_m, double cell_size_m) {
 void ScanInserter::insert(OccupancyGrid& grid, const ScanPoints& points, const Pose2& pose) {
     const double cell_size_m = grid.cell_size_m();
     project(points, pose, cell_size_m);
-    const Point2 laser = pose * points.origin_m;
-    const Point2 origin_cells{laser.x_m / cell_size_m, laser.y_m / cell_size_m};
-    expect_on_earth(laser, cell_size_m);
+    Point2 laser_m = points.origin_m;
+    std::size_t begin = 0;
+    for (const ScanPoints::Joined& next : points.joined) {
+        add_free(grid, points, pose * laser_m, begin, next.begin);
+        laser_m = next.origin_m;
+        begin = next.begin;
+    }
+    add_free(grid, points, pose * laser_m, begin, points.size());
+    add_hits(grid);
+}
+
+void ScanInserter::add_free(OccupancyGrid& grid, const ScanPoints& points, const Point2& laser_m, std::size_t begin,
+                            std::size_t end) {
+    const double cell_size_m = grid.cell_size_m();
+    const Point2 origin_cells{laser_m.x_m / cell_size_m, laser_m.y_m / cell_size_m};
+    expect_on_earth(laser_m, cell_size_m);
     grid.reserve(box_of(ends_cells_, origin_cells));
-    for (const CellSpan& span : free_space_.find(points, ends_cells_, origin_cells)) {
+    for (const CellSpan& span : free_space_.find(points, ends_cells_, origin_cells, begin, end)) {
         grid.add_free(span.y, span.x_begin, span.x_end);
     }
-    add_hits(grid);
 }
 
 void ScanInserter::project(const ScanPoints& points, const Pose2& pose, double cell_size_m) {

@@ -39,13 +39,13 @@ std::optional<SensorFrame> ScanOdometryStream::next() {
     if (!frame) {
         return frame;
     }
-    set_sweep(*frame);
+    place(*frame);
     if (started_) {
         const Pose2 found = match(*frame, scan_points(*frame, settings_.points));
         motion_ = between(pose_, found);
         step_ns_ = frame->scan.stamp_ns - stamp_ns_;
         pose_ = found;
-        set_sweep(*frame);
+        place(*frame);
     }
     const ScanPoints points = scan_points(*frame, settings_.points);
     const Pose2 since = between(entered_, pose_);
@@ -56,15 +56,26 @@ std::optional<SensorFrame> ScanOdometryStream::next() {
     started_ = true;
     stamp_ns_ = frame->scan.stamp_ns;
     frame->odom_from_robot = pose_;
+    for (SensorFrame& other : frame->joined) {
+        other.odom_from_robot = pose_ * other.odom_from_robot;
+    }
     return frame;
 }
 
-/// The motion during the scan goes on as between the last two scans.
-void ScanOdometryStream::set_sweep(SensorFrame& frame) const {
+/// Places the beams of the frame and of those joined with it, in the robot's frame at the stamp of the first: the
+/// motion goes on as between the last two scans.
+void ScanOdometryStream::place(SensorFrame& frame) const {
     const auto moved_after = [&](double seconds) -> std::optional<Pose2> {
         return step_ns_ > 0 && seconds > 0.0 ? at_same_speed(motion_, step_ns_, std::llround(1e9 * seconds)) : Pose2{};
     };
+    frame.odom_from_robot = {};
     frame.sweep = sweep_of(frame.scan, frame.scan.time_increment_s, moved_after);
+    for (SensorFrame& other : frame.joined) {
+        const std::int64_t since_ns = frame.scan.stamp_ns - other.scan.stamp_ns;
+        const Pose2 since = at_same_speed(motion_, step_ns_, std::abs(since_ns));
+        other.odom_from_robot = since_ns == 0 || step_ns_ <= 0 ? Pose2{} : since_ns > 0 ? inverse(since) : since;
+        other.sweep = sweep_of(other.scan, other.scan.time_increment_s, moved_after);
+    }
 }
 
 Pose2 ScanOdometryStream::match(const SensorFrame& frame, const ScanPoints& points) {

@@ -24,6 +24,8 @@ struct Moments {
     }
 };
 
+/// By at least so much `order` rises between points that are no neighbours. add_side() accepts steps of at most 2.
+constexpr std::int32_t order_gap = 3;
 constexpr std::size_t most_neighbours_each_side = 12;
 /// These neighbours are taken at any distance: the end points on a wall far ahead are metres apart and still show its
 /// direction.
@@ -157,9 +159,8 @@ void add_end_points(ScanPoints& points, const SensorFrame& frame, const LaserPla
         const auto range_m = static_cast<double>(frame.scan.ranges_m[beam]);
         if (!(range_m <= settings.usable_range_m)) {
             close_group(points, group, order);
-            // With the increment for the next point, `order` then rises by 3 or more across the gap. add_side() accepts
-            // steps of at most 2.
-            order += 2;
+            // With the increment for the next point, `order` then rises by 3 or more across the gap.
+            order += order_gap - 1;
             continue;
         }
         if (is_mixed(frame.scan.ranges_m, beam)) {
@@ -176,9 +177,8 @@ void add_end_points(ScanPoints& points, const SensorFrame& frame, const LaserPla
     close_group(points, group, order);
 }
 
-}  // namespace
-
-ScanPoints scan_points(const SensorFrame& frame, const ScanPointsSettings& settings) {
+/// The points of the frame's own scan.
+ScanPoints own_points(const SensorFrame& frame, const ScanPointsSettings& settings) {
     ScanPoints points;
     const LaserPlaces robot_from_laser(frame, settings.deskew);
     const Pose2 middle = robot_from_laser.at(frame.scan.ranges_m.size() / 2);
@@ -189,6 +189,36 @@ ScanPoints scan_points(const SensorFrame& frame, const ScanPointsSettings& setti
     points.along_weight.assign(points.size(), 1.0F);
     for (std::size_t point = 0; point < points.size(); ++point) {
         set_normal(points, point);
+    }
+    return points;
+}
+
+/// Adds the points of another lidar's scan.
+/// \param robot_from_then the robot at the stamp of that scan, in its frame at the stamp of `points`
+void join(ScanPoints& points, const ScanPoints& other, const Pose2& robot_from_then) {
+    const Pose2 turn{0.0, 0.0, robot_from_then.theta_rad};
+    const std::int32_t order = points.size() == 0 ? 0 : points.order.back() + order_gap;
+    points.joined.push_back({robot_from_then * other.origin_m, points.size()});
+    for (std::size_t i = 0; i < other.size(); ++i) {
+        const Point2 end =
+            robot_from_then * Point2{static_cast<double>(other.x_m[i]), static_cast<double>(other.y_m[i])};
+        const Point2 normal =
+            turn * Point2{static_cast<double>(other.normal_x[i]), static_cast<double>(other.normal_y[i])};
+        points.x_m.push_back(static_cast<float>(end.x_m));
+        points.y_m.push_back(static_cast<float>(end.y_m));
+        points.normal_x.push_back(static_cast<float>(normal.x_m));
+        points.normal_y.push_back(static_cast<float>(normal.y_m));
+        points.along_weight.push_back(other.along_weight[i]);
+        points.order.push_back(order + other.order[i]);
+    }
+}
+
+}  // namespace
+
+ScanPoints scan_points(const SensorFrame& frame, const ScanPointsSettings& settings) {
+    ScanPoints points = own_points(frame, settings);
+    for (const SensorFrame& other : frame.joined) {
+        join(points, own_points(other, settings), between(frame.odom_from_robot, other.odom_from_robot));
     }
     return points;
 }

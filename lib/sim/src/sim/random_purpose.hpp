@@ -9,7 +9,7 @@ namespace ddtool::sim {
 enum RandomPurpose : std::uint64_t {
     odometry_run = 1,   ///< the constants of one run: scale error, gyro bias
     odometry_step = 2,  ///< third key: the step
-    scan_noise = 3,     ///< third key: the scan
+    scan_noise = 3,     ///< third key: the scan; fourth: the lidar, if it is not the first
     texture_layout = 4,
     random_layout = 5,
     imu_run = 6,   ///< the bias of the gyro

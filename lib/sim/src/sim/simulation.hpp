@@ -1,7 +1,9 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstddef>
 #include <cstdint>
+#include <vector>
 
 #include "ddtool/robot/sensor_stream.hpp"
 #include "ddtool/robot/trajectory.hpp"
@@ -18,6 +20,8 @@ struct SimulationSettings {
     std::uint64_t seed = 1;
     std::int64_t start_ns = 1'700'000'000'000'000'000;  ///< stamp of the first pose
     Pose2 robot_from_laser;
+    std::vector<Pose2>
+        more_lasers;  ///< robot_from_laser of further lidars of the same kind; only a log has their scans
     LidarSettings lidar;
     OdometrySettings odometry;
     ImuSettings imu;
@@ -47,19 +51,21 @@ public:
     [[nodiscard]] std::vector<StampedTurnRate> turn_rates() const {
         return simulate_gyro(truth_, settings_.imu, settings_.seed);
     }
-    [[nodiscard]] std::size_t frame_count() const { return frame_count_; }
-    /// The stamp of the frame.
-    [[nodiscard]] std::int64_t stamp_ns(std::size_t index) const;
-    [[nodiscard]] SimulatedFrame frame(std::size_t index) const;
+    /// The first lidar has the number 0.
+    [[nodiscard]] std::size_t lidar_count() const { return 1 + settings_.more_lasers.size(); }
+    [[nodiscard]] const Pose2& robot_from_laser(std::size_t lidar = 0) const;
+    [[nodiscard]] std::size_t frame_count(std::size_t lidar = 0) const;
+    /// The stamp of the frame. The lidars take turns: their scans are spread evenly over the time of a turn.
+    [[nodiscard]] std::int64_t stamp_ns(std::size_t index, std::size_t lidar = 0) const;
+    [[nodiscard]] SimulatedFrame frame(std::size_t index, std::size_t lidar = 0) const;
 
 private:
-    [[nodiscard]] std::vector<Pose2> laser_poses(const LaserScan& scan) const;
+    [[nodiscard]] std::vector<Pose2> laser_poses(const LaserScan& scan, const Pose2& robot_from_laser) const;
 
     SimulationSettings settings_;
     RayCaster caster_;
     Trajectory truth_;
     Trajectory odometry_;
-    std::size_t frame_count_ = 0;
 };
 
 }  // namespace ddtool::sim

@@ -1,5 +1,6 @@
 #include "sim/simulation_json.hpp"
 
+#include <array>
 #include <utility>
 
 #include "ddtool/base/error.hpp"
@@ -10,6 +11,11 @@ namespace {
 
 /// Stamps are 64-bit nanoseconds, which reach up to 9.2e18.
 const Allowed start_ns = Allowed::whole(0.0, 4e18);
+
+const Allowed more_lasers = Allowed::numbers(0, -1000.0, 1000.0);
+
+/// The settings that common_simulation_json() has not.
+constexpr std::array<const char*, 4> not_common{"world", "seed", "more_lasers", "imu"};
 
 constexpr double turn_rad = 6.28318531;  // 2 pi, rounded up so that 2 pi itself is allowed
 
@@ -153,6 +159,17 @@ LidarSettings lidar_from(const Json& json, const std::string& path) {
     return lidar;
 }
 
+std::vector<Pose2> more_lasers_from(const Json& numbers, const std::string& path) {
+    expect_allowed(numbers, more_lasers, "", below(path, "more_lasers"));
+    expect(numbers.size() % 3 == 0, path, "more_lasers",
+           "three numbers for each lidar: x, y in metres, theta in radians");
+    std::vector<Pose2> poses;
+    for (std::size_t first = 0; first < numbers.size(); first += 3) {
+        poses.push_back({numbers[first], numbers[first + 1], numbers[first + 2]});
+    }
+    return poses;
+}
+
 OdometrySettings odometry_from(const Json& json, const std::string& path) {
     const std::string group = below(path, "odometry");
     const auto preset = odometry_preset(json.at("preset").get<std::string>());
@@ -179,6 +196,12 @@ std::vector<Setting> simulation_setting_list() {
              "",
              with_preset("How well the wheels measure; it gives what is null below.", odometry_rows().settings())},
             {"imu", {}, "", "", "", imu_rows().settings()},
+            {"more_lasers",
+             more_lasers,
+             "",
+             "Poses of further lidars of the same kind on the robot, for each x and y in metres and theta in radians.",
+             "docs/simulator.md",
+             {}},
             {"drive", {}, "", "", "", drive_rows().settings()}};
 }
 
@@ -191,15 +214,24 @@ Json default_simulation_json() {
             {"lidar", preset_keys("ls-m10p", lidar_rows().json(defaults.lidar))},
             {"odometry", preset_keys("typical", odometry_rows().json(defaults.odometry))},
             {"imu", imu_rows().json(defaults.imu)},
+            {"more_lasers", Json::array()},
             {"drive", drive_rows().json(defaults.drive)}};
 }
 
 Json common_simulation_json() {
     Json json = default_simulation_json();
-    json.erase("world");
-    json.erase("seed");
-    json.erase("imu");
+    for (const char* key : not_common) {
+        json.erase(key);
+    }
     return json;
+}
+
+std::vector<Setting> common_simulation_setting_list() {
+    std::vector<Setting> settings = simulation_setting_list();
+    for (const char* key : not_common) {
+        settings = without(std::move(settings), key);
+    }
+    return settings;
 }
 
 SimulationSettings simulation_from_json(const Json& json, const std::string& path) {
@@ -208,6 +240,7 @@ SimulationSettings simulation_from_json(const Json& json, const std::string& pat
     return {.seed = json.at("seed").get<std::uint64_t>(),
             .start_ns = json.at("start_ns").get<std::int64_t>(),
             .robot_from_laser = pose_rows().checked(json.at("robot_from_laser"), below(path, "robot_from_laser")),
+            .more_lasers = more_lasers_from(json.value("more_lasers", Json::array()), path),
             .lidar = lidar_from(json.at("lidar"), path),
             .odometry = odometry_from(json.at("odometry"), path),
             .imu = json.contains("imu") ? imu_rows().checked(json.at("imu"), below(path, "imu")) : ImuSettings{},

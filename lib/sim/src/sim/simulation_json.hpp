@@ -16,8 +16,11 @@ std::vector<Setting> simulation_setting_list();
 Json default_simulation_json();
 
 /// The same defaults for commands that run many simulations, without world and seed, which come from the lists of these
-/// commands, and without the inertial sensor, which only a log has.
+/// commands, and without further lidars and the inertial sensor, which only a log has.
 Json common_simulation_json();
+
+/// What is known of these.
+std::vector<Setting> common_simulation_setting_list();
 
 /// The world is named beside the settings, as `world`; see load_world(). Throws UsageError naming the key for an
 /// unknown preset or a value that makes no sense, after `path` where that is not empty.

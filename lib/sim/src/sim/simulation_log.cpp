@@ -1,5 +1,7 @@
 #include "sim/simulation_log.hpp"
 
+#include <string>
+
 #include "logs/messages/ros_conversions.hpp"
 #include "logs/stream/ros2_writer.hpp"
 
@@ -23,20 +25,30 @@ RosFloat64MultiArray matrix_message(const Eigen::Matrix3d& matrix) {
     return message;
 }
 
+/// Behind the names of the topic and the frame of a lidar: "", "_2", "_3".
+std::string suffix_of(std::size_t lidar) { return lidar == 0 ? "" : "_" + std::to_string(lidar + 1); }
+
 class SimulationLog {
 public:
     SimulationLog(const Simulation& simulation, const std::filesystem::path& file)
         : odometry_(simulation.odometry()), turn_rates_(simulation.turn_rates()), writer_(file) {
         const std::int64_t start_ns = simulation.settings().start_ns;
-        writer_.write("/tf_static", start_ns,
-                      transform_message(start_ns, robot_frame, laser_frame, simulation.settings().robot_from_laser));
+        for (std::size_t lidar = 0; lidar < simulation.lidar_count(); ++lidar) {
+            writer_.write("/tf_static", start_ns,
+                          transform_message(start_ns, robot_frame, laser_frame + suffix_of(lidar),
+                                            simulation.robot_from_laser(lidar)));
+        }
     }
 
     void write(const SimulatedFrame& simulated) {
         const SensorFrame& frame = simulated.frame;
         const std::int64_t stamp_ns = frame.scan.stamp_ns;
         write_odometry_until(stamp_ns);
-        writer_.write("/scan", stamp_ns, scan_message(frame.scan, laser_frame));
+        const std::string suffix = suffix_of(frame.lidar);
+        writer_.write("/scan" + suffix, stamp_ns, scan_message(frame.scan, laser_frame + suffix));
+        if (frame.lidar > 0) {
+            return;  // the truth is beside the scans of the first lidar
+        }
         writer_.write("/ground_truth", stamp_ns,
                       odometry_message(stamp_ns, map_frame, robot_frame, *frame.world_from_robot));
         writer_.write("/fisher_information", stamp_ns, matrix_message(simulated.fisher_information));
@@ -93,7 +105,11 @@ void write_simulation_log(const Simulation& simulation, const std::filesystem::p
                           const std::function<void(std::size_t)>& on_scan) {
     SimulationLog log(simulation, file);
     for (std::size_t index = 0; index < simulation.frame_count(); ++index) {
-        log.write(simulation.frame(index));
+        for (std::size_t lidar = 0; lidar < simulation.lidar_count(); ++lidar) {
+            if (index < simulation.frame_count(lidar)) {
+                log.write(simulation.frame(index, lidar));
+            }
+        }
         on_scan(index + 1);
     }
     log.close();

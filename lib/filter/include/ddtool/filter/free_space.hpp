@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <limits>
 #include <vector>
 
 #include "ddtool/filter/occupancy_grid.hpp"
@@ -23,9 +25,11 @@ public:
     explicit FreeSpace(double margin_cells) : margin_cells_(margin_cells) {}
 
     /// ends_cells: the end points of `points` in the world frame, in units of cells; origin_cells: the laser's position
-    /// in the same frame and unit. The result is valid until the next call.
+    /// in the same frame and unit. Only the points from `begin` to before `end` are used; by default all. The result is
+    /// valid until the next call.
     const std::vector<CellSpan>& find(const ScanPoints& points, const std::vector<Point2>& ends_cells,
-                                      Point2 origin_cells);
+                                      Point2 origin_cells, std::size_t begin = 0,
+                                      std::size_t end = std::numeric_limits<std::size_t>::max());
 
 private:
     void add_edge(Point2 from, Point2 to);

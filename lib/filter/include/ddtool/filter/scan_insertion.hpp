@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "ddtool/filter/free_space.hpp"
@@ -17,6 +18,11 @@ public:
 
 private:
     void project(const ScanPoints& points, const Pose2& pose, double cell_size_m);
+    /// Enters what one laser saw to be free.
+    /// \param laser_m in the world
+    /// \param begin, end the points of that laser
+    void add_free(OccupancyGrid& grid, const ScanPoints& points, const Point2& laser_m, std::size_t begin,
+                  std::size_t end);
     void add_hits(OccupancyGrid& grid) const;
 
     /// Free space ends this far before a wall, so that the wall's own cells are not lowered.

@@ -18,7 +18,7 @@ public:
     [[nodiscard]] double fraction_read() const override { return source_.fraction_read(); }
 
 private:
-    void set_sweep(SensorFrame& frame) const;
+    void place(SensorFrame& frame) const;
     Pose2 match(const SensorFrame& frame, const ScanPoints& points);
     void enter(const ScanPoints& points);
 

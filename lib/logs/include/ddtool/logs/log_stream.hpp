@@ -14,10 +14,22 @@
 
 namespace ddtool {
 
+/// Heights in metres.
+struct HeightBand {
+    double min_m = 0.0;
+    double max_m = 0.0;
+};
+
 /// Which messages of a log to use. What is not set is found by type (docs/formats/logs.md).
 struct LogOptions {
-    std::string robot;               ///< of several, the one with this name before its topics or frames
-    std::string scan_topic;          ///< in a CARMEN log the message name, FLASER or ROBOTLASER1
+    std::string robot;  ///< of several, the one with this name before its topics or frames
+    /// In a CARMEN log the message name, FLASER or ROBOTLASER1. Several topics, separated by commas, are those of
+    /// several lidars.
+    std::string scan_topic;
+    /// PointCloud2 messages, whose points within `height` become the scans; also several topics, and beside scans.
+    std::string cloud_topic;
+    std::optional<HeightBand> height;  ///< above the robot's origin; where not given, around the lidar
+    std::size_t cloud_beams = 0;     ///< of the scans made from clouds, over a full turn; 0: as many as the cloud fills
     std::string odom_topic;          ///< Odometry or tf messages
     std::string ground_truth_topic;  ///< Odometry or PoseStamped messages
     /// Imu messages, whose turns are used where they are better than the odometry's; a topic named here is used in any
@@ -26,8 +38,9 @@ struct LogOptions {
     std::optional<Pose2> laser_pose;  ///< robot_from_laser, instead of the log's own
     /// The readings that mean no return, in metres, instead of those that are found; 0 alone: there are none.
     std::vector<double> no_return_m;
-    double range_max_m = 0.0;   ///< instead of the log's own; 0: the log's own
-    bool with_odometry = true;  ///< false: the log's odometry is left out
+    bool strongest_echo = false;  ///< of a beam with several echoes; false: the first
+    double range_max_m = 0.0;     ///< instead of the log's own; 0: the log's own
+    bool with_odometry = true;    ///< false: the log's odometry is left out
 };
 
 /// What has been found in a log so far; it is complete when the stream has ended.
@@ -35,18 +48,19 @@ struct LogSummary {
     static constexpr std::size_t most_told = 5;
 
     std::string format;
-    std::string scan_topic;
-    std::string odom_topic;                   ///< empty: the log has no odometry
-    bool has_odometry = true;                 ///< known from the start; false: odom_from_robot is the identity
-    std::string imu_topic;                    ///< whose turns replace the odometry's; empty: none
-    std::string ground_truth_topic;           ///< empty: the log has no ground truth
-    std::size_t scans = 0;                    ///< frames returned by next()
-    std::size_t odometry = 0;                 ///< odometry poses read
-    std::size_t ground_truth = 0;             ///< ground truth poses read
-    std::size_t problems = 0;                 ///< things skipped or damaged; if there are any, the exit code is 3
-    std::uint64_t bytes_lost = 0;             ///< known to be unreadable
-    std::vector<std::string> first_problems;  ///< LogProblem::what of the first of them, at most most_told
-    std::vector<std::string> assumptions;     ///< what the log does not say and was assumed, one line each
+    std::string scan_topic;                     ///< of the first lidar
+    std::vector<std::string> more_scan_topics;  ///< of the other lidars that are used with it
+    std::string odom_topic;                     ///< empty: the log has no odometry
+    bool has_odometry = true;                   ///< known from the start; false: odom_from_robot is the identity
+    std::string imu_topic;                      ///< whose turns replace the odometry's; empty: none
+    std::string ground_truth_topic;             ///< empty: the log has no ground truth
+    std::size_t scans = 0;                      ///< frames returned by next()
+    std::size_t odometry = 0;                   ///< odometry poses read
+    std::size_t ground_truth = 0;               ///< ground truth poses read
+    std::size_t problems = 0;                   ///< things skipped or damaged; if there are any, the exit code is 3
+    std::uint64_t bytes_lost = 0;               ///< known to be unreadable
+    std::vector<std::string> first_problems;    ///< LogProblem::what of the first of them, at most most_told
+    std::vector<std::string> assumptions;       ///< what the log does not say and was assumed, one line each
 };
 
 /// The frames of a log, in the order of the file, in bounded memory. For one thread at a time.

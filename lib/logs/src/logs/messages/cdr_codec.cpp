@@ -156,6 +156,8 @@ std::optional<Message> decode_cdr(std::span<const std::byte> data) {
 DDTOOL_CDR(RosTFMessage)
 DDTOOL_CDR(RosLaserScan)
 DDTOOL_CDR(RosImu)
+DDTOOL_CDR(RosMultiEchoLaserScan)
+DDTOOL_CDR(RosPointCloud2)
 DDTOOL_CDR(RosOdometry)
 DDTOOL_CDR(RosPoseStamped)
 DDTOOL_CDR(RosPoseArray)

@@ -14,6 +14,10 @@ namespace ddtool {
 /// bytes are not such a message. The message type has no limits of range, so range_min_m and range_max_m are 0.
 std::optional<ScanReading> foxglove_json_scan(std::span<const std::byte> data);
 
+/// Decodes foxglove.PointCloud from JSON, where its data are in base64. Returns nullopt if the bytes are not such a
+/// message; a message whose points cannot be read has a CloudReading::fault.
+std::optional<CloudReading> foxglove_json_cloud(std::span<const std::byte> data);
+
 /// Decodes foxglove.PoseInFrame, FrameTransform or FrameTransforms from JSON; `type` names which. Returns nullopt if
 /// the bytes are not such a message.
 std::optional<std::vector<PoseReading>> foxglove_json_poses(std::string_view type, std::span<const std::byte> data);

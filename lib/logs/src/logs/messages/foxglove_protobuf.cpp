@@ -1,8 +1,10 @@
 #include "logs/messages/foxglove_protobuf.hpp"
 
 #include <limits>
+#include <utility>
 
 #include "foxglove.pb.h"
+#include "logs/messages/foxglove_cloud.hpp"
 #include "logs/messages/foxglove_scan.hpp"
 #include "logs/messages/ros_conversions.hpp"
 
@@ -64,6 +66,22 @@ std::optional<ScanReading> foxglove_protobuf_scan(std::span<const std::byte> dat
     scan.scan.ranges_m.assign(message->ranges().begin(), message->ranges().end());
     set_foxglove_angles(scan.scan, message->start_angle(), message->end_angle());
     return scan;
+}
+
+std::optional<CloudReading> foxglove_protobuf_cloud(std::span<const std::byte> data) {
+    const std::optional<FoxglovePointCloud> message = parse_protobuf<FoxglovePointCloud>(data);
+    if (!message) {
+        return std::nullopt;
+    }
+    std::vector<PackedField> fields;
+    for (const FoxglovePackedElementField& field : message->fields()) {
+        fields.push_back({field.name(), field.offset(), foxglove_number(field.type())});
+    }
+    CloudReading cloud{.stamp_ns = foxglove_stamp_ns(message->timestamp().seconds(), message->timestamp().nanos()),
+                       .frame_id = message->frame_id(),
+                       .frame_from_cloud = isometry(message->pose().position(), message->pose().orientation())};
+    unpack_foxglove(cloud, std::as_bytes(std::span(message->data())), std::move(fields), message->point_stride());
+    return cloud;
 }
 
 std::optional<std::vector<PoseReading>> foxglove_protobuf_poses(std::string_view type,

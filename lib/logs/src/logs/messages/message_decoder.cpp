@@ -11,13 +11,17 @@
 namespace ddtool {
 namespace {
 
+constexpr std::string_view multi_echo_scan = "sensor_msgs/MultiEchoLaserScan";
+
 struct KnownType {
     std::string_view name;
     MessageKind kind;
 };
 
-constexpr std::array<KnownType, 6> ros_types{{
+constexpr std::array<KnownType, 8> ros_types{{
     {"sensor_msgs/LaserScan", MessageKind::scan},
+    {multi_echo_scan, MessageKind::scan},
+    {"sensor_msgs/PointCloud2", MessageKind::cloud},
     {"sensor_msgs/Imu", MessageKind::inertial},
     {"nav_msgs/Odometry", MessageKind::odometry},
     {"geometry_msgs/PoseStamped", MessageKind::pose},
@@ -25,8 +29,9 @@ constexpr std::array<KnownType, 6> ros_types{{
     {"tf/tfMessage", MessageKind::transforms},
 }};
 
-constexpr std::array<KnownType, 4> foxglove_types{{
+constexpr std::array<KnownType, 5> foxglove_types{{
     {"foxglove.LaserScan", MessageKind::scan},
+    {"foxglove.PointCloud", MessageKind::cloud},
     {"foxglove.PoseInFrame", MessageKind::pose},
     {"foxglove.FrameTransform", MessageKind::transforms},
     {"foxglove.FrameTransforms", MessageKind::transforms},
@@ -64,7 +69,7 @@ void tidy_stamp(std::int64_t& stamp_ns, const McapMessage& message) {
     }
 }
 
-std::optional<ScanReading> decode_raw_scan(const McapMessage& message) {
+std::optional<ScanReading> decode_raw_scan(const McapMessage& message, Echo echo) {
     const std::string& encoding = message.channel->message_encoding;
     if (encoding == "protobuf") {
         return foxglove_protobuf_scan(message.data);
@@ -72,7 +77,20 @@ std::optional<ScanReading> decode_raw_scan(const McapMessage& message) {
     if (encoding == "json") {
         return foxglove_json_scan(message.data);
     }
-    return decode_ros_scan(encoding, message.data);
+    return without_msg(message.channel->schema.name) == multi_echo_scan
+               ? decode_ros_echoes(encoding, message.data, echo)
+               : decode_ros_scan(encoding, message.data);
+}
+
+std::optional<CloudReading> decode_raw_cloud(const McapMessage& message) {
+    const std::string& encoding = message.channel->message_encoding;
+    if (encoding == "protobuf") {
+        return foxglove_protobuf_cloud(message.data);
+    }
+    if (encoding == "json") {
+        return foxglove_json_cloud(message.data);
+    }
+    return decode_ros_cloud(encoding, message.data);
 }
 
 std::optional<std::vector<PoseReading>> decode_raw_poses(const McapMessage& message) {
@@ -100,14 +118,25 @@ MessageKind kind_of(const McapChannel& channel) {
     return MessageKind::other;
 }
 
-std::optional<ScanReading> decode_scan(const McapMessage& message) {
-    std::optional<ScanReading> reading = decode_raw_scan(message);
+std::optional<ScanReading> decode_scan(const McapMessage& message, Echo echo) {
+    std::optional<ScanReading> reading = decode_raw_scan(message, echo);
     if (!reading || !is_somewhere(reading->frame_from_scan)) {
         return std::nullopt;
     }
     tidy(reading->frame_id);
     tidy_rotation(reading->frame_from_scan);
     tidy_stamp(reading->scan.stamp_ns, message);
+    return reading;
+}
+
+std::optional<CloudReading> decode_cloud(const McapMessage& message) {
+    std::optional<CloudReading> reading = decode_raw_cloud(message);
+    if (!reading || !is_somewhere(reading->frame_from_cloud)) {
+        return std::nullopt;
+    }
+    tidy(reading->frame_id);
+    tidy_rotation(reading->frame_from_cloud);
+    tidy_stamp(reading->stamp_ns, message);
     return reading;
 }
 

@@ -11,7 +11,8 @@ namespace ddtool {
 
 enum class MessageKind {
     other,
-    scan,        ///< sensor_msgs LaserScan, foxglove LaserScan
+    scan,        ///< sensor_msgs LaserScan and MultiEchoLaserScan, foxglove LaserScan
+    cloud,       ///< sensor_msgs PointCloud2, foxglove PointCloud
     odometry,    ///< nav_msgs Odometry
     pose,        ///< geometry_msgs PoseStamped, foxglove PoseInFrame
     inertial,    ///< sensor_msgs Imu
@@ -25,7 +26,11 @@ MessageKind kind_of(const McapChannel& channel);
 /// Decodes a message of the kind scan. A leading '/' is removed from frame names, and a stamp of zero is replaced by
 /// the log time. Returns nullopt if the bytes are not such a message, or contain a position that is not finite or
 /// further away than farthest_m.
-std::optional<ScanReading> decode_scan(const McapMessage& message);
+/// \param echo which one a beam of several has as its range
+std::optional<ScanReading> decode_scan(const McapMessage& message, Echo echo = Echo::first);
+
+/// Decodes a message of the kind cloud by the same rules. If only its points cannot be read, it has a fault.
+std::optional<CloudReading> decode_cloud(const McapMessage& message);
 
 /// Decodes a message of the kind inertial by the same rules. Returns nullopt, too, if its angular velocities are no
 /// numbers or not measured.

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "ddtool/robot/laser_scan.hpp"
 
@@ -17,6 +18,23 @@ struct ScanReading {
     std::string frame_id;
     Eigen::Isometry3d frame_from_scan = Eigen::Isometry3d::Identity();  ///< the scan's own origin, if it has one
     LaserScan scan;                                                     ///< ranges as logged, not yet normalised
+};
+
+/// Which echo of a beam counts if it has several.
+enum class Echo {
+    /// The nearest: the space before it is free for certain, and a pane of glass is a wall.
+    first,
+    /// The one with the largest intensity, which looks through rain, dust and glass.
+    strongest,
+};
+
+/// A point cloud as it is in a log, for all message types.
+struct CloudReading {
+    std::int64_t stamp_ns = 0;
+    std::string frame_id;
+    Eigen::Isometry3d frame_from_cloud = Eigen::Isometry3d::Identity();  ///< the cloud's own origin, if it has one
+    std::vector<Eigen::Vector3f> points_m = {};                          ///< in the cloud's frame; all are finite
+    std::string fault = {};  ///< why the points could not be read; empty: they could
 };
 
 /// A pose or transform as it is in a log, for all message types.

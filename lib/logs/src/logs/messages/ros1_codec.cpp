@@ -84,6 +84,8 @@ std::optional<Message> decode_ros1(std::span<const std::byte> data) {
 template std::optional<RosTFMessage> decode_ros1(std::span<const std::byte>);
 template std::optional<RosLaserScan> decode_ros1(std::span<const std::byte>);
 template std::optional<RosImu> decode_ros1(std::span<const std::byte>);
+template std::optional<RosMultiEchoLaserScan> decode_ros1(std::span<const std::byte>);
+template std::optional<RosPointCloud2> decode_ros1(std::span<const std::byte>);
 template std::optional<RosOdometry> decode_ros1(std::span<const std::byte>);
 template std::optional<RosPoseStamped> decode_ros1(std::span<const std::byte>);
 

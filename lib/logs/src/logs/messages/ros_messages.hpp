@@ -103,6 +103,61 @@ struct RosImu {
     }
 };
 
+struct RosLaserEcho {
+    std::vector<float> echoes;
+
+    static void fields(auto& message, auto& archive) { archive(message.echoes); }
+};
+
+struct RosMultiEchoLaserScan {
+    static constexpr const char* type_name = "sensor_msgs/msg/MultiEchoLaserScan";
+    RosHeader header;  ///< stamp of the first ray
+    float angle_min = 0.0F;
+    float angle_max = 0.0F;
+    float angle_increment = 0.0F;
+    float time_increment = 0.0F;  ///< seconds
+    float scan_time = 0.0F;       ///< seconds
+    float range_min = 0.0F;
+    float range_max = 0.0F;
+    std::vector<RosLaserEcho> ranges;       ///< of each ray, from the nearest to the farthest
+    std::vector<RosLaserEcho> intensities;  ///< of the same echoes, or empty
+
+    static void fields(auto& message, auto& archive) {
+        archive(message.header, message.angle_min, message.angle_max, message.angle_increment, message.time_increment,
+                message.scan_time, message.range_min, message.range_max, message.ranges, message.intensities);
+    }
+};
+
+struct RosPointField {
+    std::string name;
+    std::uint32_t offset = 0;   ///< bytes from the start of the point
+    std::uint8_t datatype = 0;  ///< 1 to 8: int8, uint8, int16, uint16, int32, uint32, float32, float64
+    std::uint32_t count = 1;
+
+    static void fields(auto& message, auto& archive) {
+        archive(message.name, message.offset, message.datatype, message.count);
+    }
+};
+
+/// The flags are bools in the definition; as numbers they may hold any byte of a damaged message.
+struct RosPointCloud2 {
+    static constexpr const char* type_name = "sensor_msgs/msg/PointCloud2";
+    RosHeader header;
+    std::uint32_t height = 0;
+    std::uint32_t width = 0;  ///< points in a row
+    std::vector<RosPointField> point_fields;
+    std::uint8_t is_bigendian = 0;
+    std::uint32_t point_step = 0;  ///< bytes
+    std::uint32_t row_step = 0;    ///< bytes
+    std::vector<std::uint8_t> data;
+    std::uint8_t is_dense = 0;  ///< whether no point is NaN
+
+    static void fields(auto& message, auto& archive) {
+        archive(message.header, message.height, message.width, message.point_fields, message.is_bigendian,
+                message.point_step, message.row_step, message.data, message.is_dense);
+    }
+};
+
 struct RosOdometry {
     static constexpr const char* type_name = "nav_msgs/msg/Odometry";
     RosHeader header;

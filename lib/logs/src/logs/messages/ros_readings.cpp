@@ -1,5 +1,8 @@
 #include "logs/messages/ros_readings.hpp"
 
+#include <algorithm>
+
+#include "logs/messages/packed_points.hpp"
 #include "logs/messages/ros_codec.hpp"
 #include "logs/messages/ros_conversions.hpp"
 
@@ -37,6 +40,30 @@ std::optional<Poses> decode_readings(std::string_view encoding, std::span<const 
     return message ? std::optional(ros_readings(*message)) : std::nullopt;
 }
 
+/// A scan without its ranges, from a message that describes its beams as LaserScan does.
+ScanReading without_ranges(const auto& message) {
+    ScanReading reading;
+    reading.frame_id = message.header.frame_id;
+    LaserScan& scan = reading.scan;
+    scan.stamp_ns = message.header.stamp.ns;
+    scan.angle_min_rad = static_cast<double>(message.angle_min);
+    scan.angle_increment_rad = static_cast<double>(message.angle_increment);
+    scan.time_increment_s = static_cast<double>(message.time_increment);
+    scan.scan_time_s = static_cast<double>(message.scan_time);
+    scan.range_min_m = static_cast<double>(message.range_min);
+    scan.range_max_m = static_cast<double>(message.range_max);
+    return reading;
+}
+
+/// The number of the largest intensity of the first `echoes`; 0 if there are none.
+std::size_t strongest_of(const std::vector<float>& intensities, std::size_t echoes) {
+    std::size_t strongest = 0;
+    for (std::size_t index = 1; index < std::min(intensities.size(), echoes); ++index) {
+        strongest = intensities[index] > intensities[strongest] ? index : strongest;
+    }
+    return strongest;
+}
+
 }  // namespace
 
 std::optional<ScanReading> decode_ros_scan(std::string_view encoding, std::span<const std::byte> data) {
@@ -44,17 +71,45 @@ std::optional<ScanReading> decode_ros_scan(std::string_view encoding, std::span<
     if (!message) {
         return std::nullopt;
     }
-    ScanReading reading;
-    reading.frame_id = message->header.frame_id;
-    LaserScan& scan = reading.scan;
-    scan.stamp_ns = message->header.stamp.ns;
-    scan.angle_min_rad = static_cast<double>(message->angle_min);
-    scan.angle_increment_rad = static_cast<double>(message->angle_increment);
-    scan.time_increment_s = static_cast<double>(message->time_increment);
-    scan.scan_time_s = static_cast<double>(message->scan_time);
-    scan.range_min_m = static_cast<double>(message->range_min);
-    scan.range_max_m = static_cast<double>(message->range_max);
-    scan.ranges_m = std::move(message->ranges);
+    ScanReading reading = without_ranges(*message);
+    reading.scan.ranges_m = std::move(message->ranges);
+    return reading;
+}
+
+std::optional<ScanReading> decode_ros_echoes(std::string_view encoding, std::span<const std::byte> data, Echo echo) {
+    const std::optional<RosMultiEchoLaserScan> message = decode_ros<RosMultiEchoLaserScan>(encoding, data);
+    if (!message) {
+        return std::nullopt;
+    }
+    ScanReading reading = without_ranges(*message);
+    for (std::size_t beam = 0; beam < message->ranges.size(); ++beam) {
+        const std::vector<float>& ranges = message->ranges[beam].echoes;
+        const bool has_intensities = beam < message->intensities.size();
+        reading.scan.ranges_m.push_back(ranges.empty() ? LaserScan::invalid
+                                        : echo == Echo::strongest && has_intensities
+                                            ? ranges[strongest_of(message->intensities[beam].echoes, ranges.size())]
+                                            : ranges.front());
+    }
+    return reading;
+}
+
+std::optional<CloudReading> decode_ros_cloud(std::string_view encoding, std::span<const std::byte> data) {
+    const std::optional<RosPointCloud2> message = decode_ros<RosPointCloud2>(encoding, data);
+    if (!message) {
+        return std::nullopt;
+    }
+    PackedPoints packed{.data = std::as_bytes(std::span(message->data)),
+                        .fields = {},
+                        .rows = message->height,
+                        .points_of_row = message->width,
+                        .point_step = message->point_step,
+                        .row_step = message->row_step,
+                        .big_endian = message->is_bigendian != 0};
+    for (const RosPointField& field : message->point_fields) {
+        packed.fields.push_back({field.name, field.offset, static_cast<PointNumber>(field.datatype)});
+    }
+    CloudReading reading{.stamp_ns = message->header.stamp.ns, .frame_id = message->header.frame_id};
+    unpack_into(reading, packed);
     return reading;
 }
 

@@ -23,10 +23,12 @@ void check_options(const std::string& file, const LogOptions& options) {
         throw UsageError(file + ": has no scans '" + options.scan_topic +
                          "'; in a CARMEN log they are FLASER or ROBOTLASER1");
     }
-    const std::string& other_topic = options.odom_topic.empty() ? options.ground_truth_topic : options.odom_topic;
-    if (!other_topic.empty()) {
-        throw UsageError(file + ": has no topic '" + other_topic +
-                         "'; in a CARMEN log the odometry is in the scans, and there is no ground truth");
+    for (const std::string& other_topic : {options.cloud_topic, options.odom_topic, options.ground_truth_topic}) {
+        if (!other_topic.empty()) {
+            throw UsageError(file + ": has no topic '" + other_topic +
+                             "'; in a CARMEN log the odometry is in the scans, and there are neither point clouds nor "
+                             "ground truth");
+        }
     }
 }
 

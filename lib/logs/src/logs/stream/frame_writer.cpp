@@ -26,7 +26,8 @@ void FrameWriter::write(const SensorFrame& frame) {
     if (frame.world_from_robot) {
         file_.write("/ground_truth", log_time_ns_, odometry_message(stamp_ns, world, robot, *frame.world_from_robot));
     }
-    file_.write("/scan", log_time_ns_, scan_message(frame.scan, laser_frame));
+    const std::string topic = frame.lidar == 0 ? "/scan" : "/scan_" + std::to_string(frame.lidar + 1);
+    file_.write(topic, log_time_ns_, scan_message(frame.scan, laser_frame));
 }
 
 std::string FrameWriter::frame_of(std::int64_t stamp_ns, const Pose2& robot_from_laser) {

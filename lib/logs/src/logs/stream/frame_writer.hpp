@@ -12,10 +12,10 @@
 
 namespace ddtool {
 
-/// Writes sensor frames as a log of ROS 2 messages: /scan (LaserScan), /odom and, if it is known, /ground_truth
-/// (Odometry), /tf (odom from base_link) and /tf_static (base_link from laser;
-/// from laser_2 and so on for scans of a lidar that is mounted elsewhere). open_log() can read the file. Throws
-/// OutputError naming the file.
+/// Writes sensor frames as a log of ROS 2 messages: /scan (LaserScan; /scan_2 and so on for the other lidars), /odom
+/// and, if it is known, /ground_truth (Odometry), /tf (odom from base_link) and /tf_static (base_link from laser; from
+/// laser_2 and so on for scans of a lidar that is mounted elsewhere). open_log() can read the file. Throws OutputError
+/// naming the file.
 class FrameWriter {
 public:
     explicit FrameWriter(const std::filesystem::path& path) : file_(path) {}

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "logs/messages/ros_conversions.hpp"
+#include "logs/stream/cloud_scan.hpp"
 
 namespace ddtool {
 namespace {
@@ -72,6 +73,16 @@ std::optional<std::string> place_scan(ScanReading reading, const Eigen::Isometry
     frame.robot_from_laser = to_pose2(robot_from_scan);
     frame.scan = std::move(scan);
     return std::nullopt;
+}
+
+void place_cloud(const CloudReading& cloud, const Eigen::Isometry3d& robot_from_lidar, const HeightBand& band,
+                 std::size_t beams, const RangeRules& rules, SensorFrame& frame) {
+    const Eigen::Isometry3d robot_from_cloud = robot_from_lidar * cloud.frame_from_cloud;
+    frame.scan = cloud_scan(cloud, robot_from_cloud, band, beams);
+    complete_limits(frame.scan, rules);
+    rules.no_returns.apply(frame.scan);
+    normalise_ranges(frame.scan);
+    frame.robot_from_laser = {robot_from_cloud.translation().x(), robot_from_cloud.translation().y(), 0.0};
 }
 
 }  // namespace ddtool

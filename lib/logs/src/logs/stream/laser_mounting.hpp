@@ -1,9 +1,11 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <cstddef>
 #include <optional>
 #include <string>
 
+#include "ddtool/logs/log_stream.hpp"
 #include "ddtool/robot/sensor_stream.hpp"
 #include "logs/messages/readings.hpp"
 #include "logs/stream/no_return.hpp"
@@ -21,6 +23,10 @@ struct RangeRules {
 /// cannot be used, for example because an angle is not finite.
 std::optional<std::string> place_scan(ScanReading reading, const Eigen::Isometry3d& robot_from_laser,
                                       const RangeRules& rules, SensorFrame& frame);
+
+/// Makes a frame of a point cloud: its scan is that of cloud_scan(), with normalised ranges.
+void place_cloud(const CloudReading& cloud, const Eigen::Isometry3d& robot_from_lidar, const HeightBand& band,
+                 std::size_t beams, const RangeRules& rules, SensorFrame& frame);
 
 /// Whether two poses of a laser on the robot are the same to a millimetre and a milliradian. In logs that give the pose
 /// with each scan, it differs in the last digits.

@@ -33,6 +33,8 @@ std::vector<std::string> frames_of(const McapMessage& message, MessageKind kind)
         frames.push_back(decode_scan(message).value_or(ScanReading{}).frame_id);
     } else if (kind == MessageKind::inertial) {
         frames.push_back(decode_imu(message).value_or(ImuReading{}).frame_id);
+    } else if (kind == MessageKind::cloud) {
+        frames.push_back(decode_cloud(message).value_or(CloudReading{}).frame_id);
     } else if (has_poses(kind)) {
         for (const PoseReading& pose : decode_poses(message).value_or(std::vector<PoseReading>{})) {
             frames.push_back(pose.frame_id + (pose.child_frame_id.empty() ? "" : " -> " + pose.child_frame_id));

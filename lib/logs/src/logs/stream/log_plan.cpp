@@ -9,6 +9,7 @@
 #include "base/text.hpp"
 #include "ddtool/base/error.hpp"
 #include "ddtool/system/settings.hpp"
+#include "logs/stream/cloud_scan.hpp"
 #include "logs/stream/topic_names.hpp"
 
 namespace ddtool {
@@ -36,6 +37,13 @@ std::string names_of(const Topics& topics) {
     return names.empty() ? "none" : names;
 }
 
+std::string joined_by_commas(std::string text, const std::vector<std::string>& more) {
+    for (const std::string& word : more) {
+        text += "," + word;
+    }
+    return text;
+}
+
 const TopicSurvey& find_requested(const Topics& topics, const std::string& name, const std::string& what,
                                   const std::string& file) {
     const auto found =
@@ -54,11 +62,13 @@ public:
         : survey_(survey), options_(options), file_(file) {}
 
     LogPlan plan() {
-        choose_scan();
+        choose_scans();
         find_robot();
         choose_ground_truth();
         choose_odometry();
         find_mountings();
+        find_heights();
+        find_echo();
         find_no_returns();
         find_sweep();
         choose_imu();
@@ -80,24 +90,49 @@ private:
         return chosen;
     }
 
-    void choose_scan() {
-        const Topics all =
-            topics_where(survey_, [](const TopicSurvey& topic) { return topic.kind == MessageKind::scan; });
-        Topics scans = all;
+    void choose_scans() {
+        name_scans(MessageKind::scan, options_.scan_topic, "scan");
+        name_scans(MessageKind::cloud, options_.cloud_topic, "point cloud");
+        if (lidars_.empty()) {
+            find_scans(of_kind(MessageKind::scan).empty() ? MessageKind::cloud : MessageKind::scan);
+        }
+        scan_ = lidars_.front();
+    }
+
+    /// Takes the topics that an option names.
+    void name_scans(MessageKind kind, const std::string& names, const std::string& what) {
+        const Topics topics = of_robot(of_kind(kind));
+        for (const std::string& name : topics_named(names)) {
+            const TopicSurvey& topic = find_requested(topics, name, what, file_);
+            if (std::ranges::count(lidars_, name, &TopicSurvey::topic) == 0) {
+                lidars_.push_back(topic);
+            }
+        }
+    }
+
+    void find_scans(MessageKind kind) {
+        const Topics all = of_kind(kind);
+        const Topics scans = of_robot(all);
+        if (all.empty()) {
+            fail_without_scans();
+        }
+        if (scans.empty()) {
+            throw UsageError(file_ + ": has no scans of a robot '" + options_.robot + "'; its scan topics are " +
+                             names_of(all));
+        }
+        lidars_ = {plainest(scans, kind == MessageKind::cloud ? "point cloud" : "scan")};
+    }
+
+    /// The topics of scans of the robot that the options name, if they do.
+    Topics of_robot(Topics scans) const {
         if (!options_.robot.empty()) {
             std::erase_if(scans, [&](const TopicSurvey& topic) { return !is_of_robot(topic, options_.robot); });
         }
-        if (!options_.scan_topic.empty()) {
-            scan_ = find_requested(scans, options_.scan_topic, "scan", file_);
-        } else if (all.empty()) {
-            fail_without_scans();
-        } else if (scans.empty()) {
-            throw UsageError(file_ + ": has no scans of a robot '" + options_.robot + "'; its scan topics are " +
-                             names_of(all));
-        } else {
-            scan_ = plainest(scans, "scan");
-        }
-        plan_.scan_topic = scan_.topic;
+        return scans;
+    }
+
+    Topics of_kind(MessageKind kind) const {
+        return topics_where(survey_, [&](const TopicSurvey& topic) { return topic.kind == kind; });
     }
 
     /// Whether a scan topic is in the namespace of the robot, or in frames that have its name in front.
@@ -141,7 +176,7 @@ private:
         std::set<std::string> with_scans;
         std::set<std::string> with_both;
         for (const TopicSurvey& topic : survey_.topics) {
-            if (topic.kind == MessageKind::scan) {
+            if (topic.kind == scan_.kind) {
                 with_scans.insert(first_part(topic.topic));
             }
         }
@@ -173,7 +208,7 @@ private:
         for (const TopicSurvey& topic : survey_.topics) {
             found += (found.empty() ? "" : ", ") + topic.topic + " (" + (topic.type.empty() ? "?" : topic.type) + ")";
         }
-        throw Error(file_ + ": holds no laser scans; expected a LaserScan topic, found " +
+        throw Error(file_ + ": holds no laser scans; expected a topic of LaserScan or PointCloud2, found " +
                     (found.empty() ? "no messages" : found));
     }
 
@@ -327,13 +362,24 @@ private:
                                         : "each is placed by its own frame"));
         }
         if (options_.laser_pose) {
+            if (lidars_.size() > 1) {
+                throw UsageError(file_ +
+                                 ": --laser-pose is the pose of one lidar; expected one topic of scans, or the poses "
+                                 "of all lidars in the log's transforms");
+            }
             const auto& [x, y, theta] = *options_.laser_pose;
             plan_.robot_from_other_laser =
                 Eigen::Translation3d(x, y, 0.0) * Eigen::AngleAxisd(theta, Eigen::Vector3d::UnitZ());
             return;
         }
         const std::string& robot = robot_ = robot_above_laser();
-        for (const std::string& frame : frames) {
+        place_frames(scan_, robot);
+        place_other_lidars(robot);
+        name_unused_lidars(robot);
+    }
+
+    void place_frames(const TopicSurvey& lidar, const std::string& robot) {
+        for (const std::string& frame : lidar.scan_frames) {
             if (const auto mounting = tree_.find(robot, frame)) {
                 plan_.robot_from_laser[frame] = *mounting;
             }
@@ -341,6 +387,48 @@ private:
                 assume("the transform " + transform +
                        " has the rotation 0,0,0,0, which is none; it is taken not to turn");
             }
+        }
+    }
+
+    /// Leaves out the lidars of which it is not known where they are, or when their scans were taken.
+    void place_other_lidars(const std::string& robot) {
+        for (auto lidar = lidars_.begin() + 1; lidar != lidars_.end();) {
+            const double ahead_s = ClockLag::offset_s(scan_.clock, lidar->clock).value_or(0.0);
+            std::string fault;
+            if (!is_placed(*lidar, robot)) {
+                fault = "no transform places their frame on '" + robot + "'";
+            } else if (std::abs(ahead_s) > least_clock_offset_s) {
+                fault = "their clock differs from that of " + scan_.topic + " by " + fixed_text(std::abs(ahead_s), 3) +
+                        " s";
+            }
+            if (fault.empty()) {
+                place_frames(*lidar, robot);
+                ++lidar;
+            } else {
+                blame("the scans of " + lidar->topic + " are not used: " + fault);
+                lidar = lidars_.erase(lidar);
+            }
+        }
+    }
+
+    bool is_placed(const TopicSurvey& lidar, const std::string& robot) const {
+        return !lidar.scan_frames.empty() && tree_.find(robot, lidar.scan_frames.front()).has_value();
+    }
+
+    /// Says how the robot's other lidars would be used. They are not used without being asked for, because a topic may
+    /// also hold filtered or merged scans of the same lidar, or those of one that tilts.
+    void name_unused_lidars(const std::string& robot) {
+        std::vector<std::string> unused;
+        for (const TopicSurvey& topic : of_robot(of_kind(MessageKind::scan))) {
+            const bool is_new = std::ranges::none_of(
+                topic.scan_frames, [&](const std::string& frame) { return plan_.robot_from_laser.contains(frame); });
+            if (is_new && is_placed(topic, robot)) {
+                unused.push_back(topic.topic);
+            }
+        }
+        if (!unused.empty() && scan_.kind == MessageKind::scan && options_.scan_topic.empty()) {
+            assume("the robot's other lidars are left out (" + joined(unused) +
+                   "); to use them together: --scan-topic " + joined_by_commas(scan_.topic, unused));
         }
     }
 
@@ -365,22 +453,58 @@ private:
         return robot;
     }
 
-    void find_no_returns() {
-        plan_.ranges.range_max_m = options_.range_max_m;
-        if (!options_.no_return_m.empty()) {
-            plan_.ranges.no_returns = named_no_returns(options_.no_return_m);
+    void find_echo() {
+        plan_.echo = options_.strongest_echo ? Echo::strongest : Echo::first;
+        const auto echoes = std::ranges::find_if(
+            lidars_, [](const TopicSurvey& lidar) { return lidar.type.ends_with("/MultiEchoLaserScan"); });
+        if (echoes != lidars_.end()) {
+            assume("of each beam of " + echoes->topic + " the " +
+                   (options_.strongest_echo ? "strongest echo is used"
+                                            : "first echo is used; --set log.echo=strongest uses the strongest"));
+        }
+    }
+
+    void find_heights() {
+        const auto cloud = std::ranges::find(lidars_, MessageKind::cloud, &TopicSurvey::kind);
+        if (cloud == lidars_.end()) {
             return;
         }
-        plan_.ranges.no_returns = scan_.piles.find(false);
-        for (const std::string& line : plan_.ranges.no_returns.lines()) {
-            assume(line);
+        plan_.cloud_beams = options_.cloud_beams;
+        plan_.height = options_.height;
+        if (plan_.height) {
+            return;
+        }
+        const auto mounting = plan_.robot_from_laser.find(cloud->scan_frames.empty() ? "" : cloud->scan_frames.front());
+        const bool is_known = mounting != plan_.robot_from_laser.end() && !plan_.robot_from_other_laser;
+        const HeightBand band = is_known ? band_around_lidar(mounting->second.translation().z()) : band_around_unknown;
+        assume("the points of " + cloud->topic + " between " + fixed_text(band.min_m, 2) + " and " +
+               fixed_text(band.max_m, 2) + " m above " +
+               (is_known ? "the robot's origin" : "the lidar, whose height on the robot is unknown,") +
+               " become its scans; --height MIN,MAX takes others");
+    }
+
+    void find_no_returns() {
+        for (const TopicSurvey& lidar : lidars_) {
+            RangeRules ranges{.no_returns = {}, .range_max_m = options_.range_max_m};
+            if (!options_.no_return_m.empty()) {
+                ranges.no_returns = named_no_returns(options_.no_return_m);
+            } else {
+                ranges.no_returns = lidar.piles.find(false);
+                for (const std::string& line : ranges.no_returns.lines()) {
+                    assume(lidars_.size() > 1 ? lidar.topic + ": " + line : line);
+                }
+            }
+            plan_.lidars.push_back({.topic = lidar.topic, .ranges = std::move(ranges)});
         }
     }
 
     void find_sweep() {
-        plan_.sweep = find_sweep_timing(scan_.rate);
-        if (!plan_.sweep.doubt.empty()) {
-            assume(plan_.sweep.doubt);
+        for (LidarPlan& lidar : plan_.lidars) {
+            const auto topic = std::ranges::find(lidars_, lidar.topic, &TopicSurvey::topic);
+            lidar.sweep = find_sweep_timing(topic->rate);
+            if (!lidar.sweep.doubt.empty()) {
+                assume(lidar.sweep.doubt);
+            }
         }
     }
 
@@ -442,7 +566,8 @@ private:
     const LogSurvey& survey_;
     const LogOptions& options_;
     const std::string& file_;
-    TopicSurvey scan_;
+    Topics lidars_;             ///< the topics of scans and clouds that are used
+    TopicSurvey scan_;          ///< the first of them
     std::string scan_frame_;    ///< of the first scan
     std::string namespace_;     ///< of the topics of the scans' robot; empty: it has none of its own
     std::string frame_prefix_;  ///< of the frames of that robot, up to and with the slash; may be empty

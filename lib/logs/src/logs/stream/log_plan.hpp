@@ -13,10 +13,17 @@
 
 namespace ddtool {
 
+/// A topic of scans, or of clouds that become scans.
+struct LidarPlan {
+    std::string topic;
+    RangeRules ranges;
+    SweepTiming sweep;
+};
+
 /// Which messages of a log are used, and how.
 struct LogPlan {
-    std::string scan_topic;
-    std::string odom_topic;  ///< empty: the log has no odometry
+    std::vector<LidarPlan> lidars;  ///< at least one; the first is the one whose frames others are joined to
+    std::string odom_topic;         ///< empty: the log has no odometry
     std::string ground_truth_topic;
     std::string imu_topic;                                   ///< empty: none is used
     bool imu_is_named = false;                               ///< by the options
@@ -32,8 +39,9 @@ struct LogPlan {
     std::map<std::string, Eigen::Isometry3d> robot_from_laser;
     /// For scans in frames without an entry there; empty: such scans cannot be used.
     std::optional<Eigen::Isometry3d> robot_from_other_laser;
-    RangeRules ranges;
-    SweepTiming sweep;
+    Echo echo = Echo::first;           ///< of beams with several
+    std::optional<HeightBand> height;  ///< of the points of clouds, above the robot's origin, if asked for
+    std::size_t cloud_beams = 0;       ///< as in LogOptions
     std::vector<std::string> assumptions;
     std::vector<std::string> faults;  ///< what cannot be believed in the log, one line each
 };

@@ -4,12 +4,15 @@
 #include <optional>
 #include <utility>
 
+#include "logs/stream/cloud_scan.hpp"
 #include "logs/stream/topic_names.hpp"
 
 namespace ddtool {
 namespace {
 
 constexpr double usual_extent_ns = 10e9;
+/// What is looked through of a log that can be read only once is kept in memory.
+constexpr std::size_t most_cloud_bytes = std::size_t{256} << 20;
 
 class Surveyor {
 public:
@@ -31,6 +34,8 @@ public:
         }
         if (kind == MessageKind::scan) {
             note_scan(message, topic);
+        } else if (kind == MessageKind::cloud) {
+            note_cloud(message, topic);
         } else if (kind == MessageKind::inertial) {
             note_rates(message, topic);
         } else if (has_poses(kind)) {
@@ -39,8 +44,10 @@ public:
     }
 
     [[nodiscard]] bool complete() const {
-        return extent_ns_ > usual_extent_ns && has_scan() && has(options_.scan_topic) && has(options_.odom_topic) &&
-               has(options_.ground_truth_topic) && has(options_.imu_topic);
+        const bool is_long = extent_ns_ > usual_extent_ns || cloud_bytes_ > most_cloud_bytes;
+        return is_long && (has_kind(MessageKind::scan) || has_kind(MessageKind::cloud)) && has(options_.scan_topic) &&
+               has(options_.cloud_topic) && has(options_.odom_topic) && has(options_.ground_truth_topic) &&
+               has(options_.imu_topic);
     }
 
     LogSurvey result() {
@@ -54,13 +61,18 @@ public:
     }
 
 private:
-    [[nodiscard]] bool has(const std::string& topic) const { return topic.empty() || topics_.contains(topic); }
-    [[nodiscard]] bool has_scan() const {
-        return std::any_of(topics_.begin(), topics_.end(),
-                           [](const auto& entry) { return entry.second.kind == MessageKind::scan; });
+    /// Whether the topics that an option names are all there.
+    [[nodiscard]] bool has(const std::string& option) const {
+        return std::ranges::all_of(topics_named(option),
+                                   [&](const std::string& topic) { return topics_.contains(topic); });
     }
-    static void note_scan(const McapMessage& message, TopicSurvey& topic) {
-        const std::optional<ScanReading> reading = decode_scan(message);
+    [[nodiscard]] bool has_kind(MessageKind kind) const {
+        return std::any_of(topics_.begin(), topics_.end(),
+                           [&](const auto& entry) { return entry.second.kind == kind; });
+    }
+    void note_scan(const McapMessage& message, TopicSurvey& topic) const {
+        const std::optional<ScanReading> reading =
+            decode_scan(message, options_.strongest_echo ? Echo::strongest : Echo::first);
         if (!reading) {
             return;
         }
@@ -68,15 +80,35 @@ private:
         topic.change.add(reading->scan);
         topic.rate.add(reading->scan, reading->frame_id);
         topic.clock.add(reading->scan.stamp_ns, message.log_time_ns);
+        note_frame(reading->frame_id, topic);
+    }
+    static void note_frame(const std::string& frame_id, TopicSurvey& topic) {
         std::vector<std::string>& frames = topic.scan_frames;
-        if (frames.size() < TopicSurvey::max_frames && std::ranges::count(frames, reading->frame_id) == 0) {
-            frames.push_back(reading->frame_id);
+        if (frames.size() < TopicSurvey::max_frames && std::ranges::count(frames, frame_id) == 0) {
+            frames.push_back(frame_id);
         }
     }
     static void note_rates(const McapMessage& message, TopicSurvey& topic) {
         if (const std::optional<ImuReading> reading = decode_imu(message)) {
             topic.gyro.add(*reading, message.log_time_ns);
         }
+    }
+    /// Clouds are large, so that they are decoded only where they may be used.
+    void note_cloud(const McapMessage& message, TopicSurvey& topic) {
+        if (has_kind(MessageKind::scan) && options_.cloud_topic.empty()) {
+            return;
+        }
+        cloud_bytes_ += message.data.size();
+        const std::optional<CloudReading> reading = decode_cloud(message);
+        if (!reading) {
+            return;
+        }
+        constexpr std::size_t beams = 180;
+        if (!topic.change.moves()) {
+            topic.change.add(cloud_scan(*reading, Eigen::Isometry3d::Identity(), band_around_unknown, beams));
+        }
+        topic.clock.add(reading->stamp_ns, message.log_time_ns);
+        note_frame(reading->frame_id, topic);
     }
     void note_poses(const McapMessage& message, TopicSurvey& topic) {
         for (const PoseReading& reading : decode_poses(message).value_or(std::vector<PoseReading>{})) {
@@ -100,6 +132,7 @@ private:
     std::map<std::string, TopicSurvey> topics_;
     std::map<std::string, TransformTree> transforms_;
     bool has_information_ = false;
+    std::size_t cloud_bytes_ = 0;
 };
 
 }  // namespace

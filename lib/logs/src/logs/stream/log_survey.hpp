@@ -27,10 +27,10 @@ struct TopicSurvey {
     std::string topic;
     std::string type;  ///< the schema's name
     MessageKind kind = MessageKind::other;
-    std::vector<std::string> scan_frames;     ///< of scans, in the order in which they are first named
+    std::vector<std::string> scan_frames;     ///< of scans and clouds, in the order in which they are first named
     RangePiles piles;                         ///< of all scans
-    ScanChange change;                        ///< of all scans
-    ClockLag clock;                           ///< of all scans
+    ScanChange change;                        ///< of all scans or clouds
+    ClockLag clock;                           ///< of all scans or clouds
     ScanRate rate;                            ///< of all scans
     GyroSurvey gyro;                          ///< of inertial messages
     std::map<FramePair, TrackSurvey> tracks;  ///< of odometry, poses and transforms
@@ -52,7 +52,9 @@ enum class SurveyExtent {
     beginning,
 };
 
-/// Memory does not grow with the log.
+/// Point clouds are looked at only in a log without laser scans before them, or if the options name a topic of them; of
+/// a log that can be read only once, at most 256 MiB of them unless what is needed is not there yet. Memory does not
+/// grow with the log.
 LogSurvey survey_log(MessageSource& source, SurveyExtent extent, const LogOptions& options);
 
 }  // namespace ddtool

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
+#include <utility>
 
 #include "logs/stream/laser_mounting.hpp"
 
@@ -32,6 +34,9 @@ void take_step(LogUse& use, const SensorFrame& before, const SensorFrame& frame)
     const double gap_s = 1e-9 * (static_cast<double>(frame.scan.stamp_ns) - static_cast<double>(before.scan.stamp_ns));
     use.longest_gap_s = std::max(use.longest_gap_s, gap_s);
     use.stamps_back += gap_s < 0.0 ? 1 : 0;
+    if (frame.lidar != 0) {
+        return;
+    }
     use.odometry_m += std::hypot(frame.odom_from_robot.x_m - before.odom_from_robot.x_m,
                                  frame.odom_from_robot.y_m - before.odom_from_robot.y_m);
 }
@@ -40,21 +45,21 @@ void take_step(LogUse& use, const SensorFrame& before, const SensorFrame& frame)
 
 LogUse use_of(LogStream& log, const std::function<void(double)>& on_progress) {
     LogUse use;
-    std::optional<SensorFrame> before;
+    std::map<std::size_t, SensorFrame> before;  // of each lidar
     while (std::optional<SensorFrame> frame = log.next()) {
         take_scan(use, frame->scan);
-        if (before) {
-            take_step(use, *before, *frame);
-        } else {
-            use.first_ns = frame->scan.stamp_ns;
+        if (const auto known = before.find(frame->lidar); known != before.end()) {
+            take_step(use, known->second, *frame);
         }
+        use.first_ns = before.empty() ? frame->scan.stamp_ns : use.first_ns;
         use.last_ns = frame->scan.stamp_ns;
         take_mounting(use, frame->robot_from_laser);
         use.with_ground_truth += frame->world_from_robot ? 1 : 0;
-        before = std::move(frame);
+        before.insert_or_assign(frame->lidar, std::move(*frame));
         on_progress(log.fraction_read());
     }
     use.summary = log.summary();
+    use.lidars = before.size();
     return use;
 }
 

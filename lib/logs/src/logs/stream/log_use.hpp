@@ -12,6 +12,7 @@ namespace ddtool {
 /// A description of the frames of a log: everything that a run over the log would get.
 struct LogUse {
     LogSummary summary;
+    std::size_t lidars = 0;  ///< whose scans are used
     std::size_t fewest_beams = std::numeric_limits<std::size_t>::max();
     std::size_t most_beams = 0;
     double field_of_view_rad = 0.0;        ///< of the last scan, from its first beam to its last
@@ -19,11 +20,11 @@ struct LogUse {
     std::vector<Pose2> robot_from_lasers;  ///< all that differ, in the order of the scans; at most 16
     std::int64_t first_ns = 0;             ///< stamps of the first and the last scan
     std::int64_t last_ns = 0;
-    double longest_gap_s = 0.0;         ///< between the stamps of two scans
-    std::size_t stamps_back = 0;        ///< scans whose stamp is earlier than that of the previous scan
+    double longest_gap_s = 0.0;         ///< between the stamps of two scans of a lidar
+    std::size_t stamps_back = 0;        ///< scans whose stamp is earlier than that of the lidar's previous scan
     std::size_t beams = 0;              ///< of all scans
     std::size_t returns = 0;            ///< beams with a range
-    double odometry_m = 0.0;            ///< distance driven by odometry, added up from scan to scan
+    double odometry_m = 0.0;            ///< distance driven by odometry, added up from scan to scan of the first lidar
     std::size_t with_ground_truth = 0;  ///< scans with a true pose
 };
 

@@ -1,10 +1,12 @@
 #include "logs/stream/message_log_stream.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "base/text.hpp"
 #include "logs/messages/ros_conversions.hpp"
+#include "logs/stream/cloud_scan.hpp"
 #include "logs/stream/kept_messages.hpp"
 #include "logs/stream/laser_mounting.hpp"
 
@@ -20,6 +22,14 @@ std::int64_t moved(std::int64_t stamp_ns, std::int64_t by_ns) {
     return static_cast<std::int64_t>(static_cast<std::uint64_t>(stamp_ns) + static_cast<std::uint64_t>(by_ns));
 }
 
+std::vector<SweepTimer> timers_of(const LogPlan& plan) {
+    std::vector<SweepTimer> timers;
+    for (const LidarPlan& lidar : plan.lidars) {
+        timers.emplace_back(lidar.sweep);
+    }
+    return timers;
+}
+
 }  // namespace
 
 MessageLogStream::MessageLogStream(const OpenSource& open, Opening opening, std::string format, std::string file,
@@ -31,10 +41,16 @@ MessageLogStream::MessageLogStream(const OpenSource& open, Opening opening, std:
     } else {
         is_read_once_ = true;
         survey_once(open, options);
-        sweep_timer_ = SweepTimer(plan_.sweep);
+        sweep_timers_ = timers_of(plan_);
     }
     summary_.format = std::move(format);
-    summary_.scan_topic = plan_.scan_topic;
+    for (const LidarPlan& lidar : plan_.lidars) {
+        if (&lidar == &plan_.lidars.front()) {
+            summary_.scan_topic = lidar.topic;
+        } else {
+            summary_.more_scan_topics.push_back(lidar.topic);
+        }
+    }
     summary_.odom_topic = plan_.odom_topic;
     summary_.has_odometry = !plan_.odom_topic.empty();
     summary_.ground_truth_topic = plan_.ground_truth_topic;
@@ -49,7 +65,7 @@ MessageLogStream::MessageLogStream(LogPlan plan, std::unique_ptr<MessageSource> 
       file_(std::move(file)),
       plan_(std::move(plan)),
       source_(std::move(source)),
-      sweep_timer_(plan_.sweep) {}
+      sweep_timers_(timers_of(plan_)) {}
 
 void MessageLogStream::survey(const OpenSource& open, const LogOptions& options) {
     const auto survey_source = open([](const LogProblem&) {});  // problems are reported at the second reading
@@ -60,7 +76,7 @@ void MessageLogStream::survey(const OpenSource& open, const LogOptions& options)
 /// Reads as many frames as tell how the beams were measured, and whether the gyro is better than the wheels, so that
 /// this is known from the first frame on.
 void MessageLogStream::rehearse(const OpenSource& open) {
-    sweep_timer_ = SweepTimer(plan_.sweep);
+    sweep_timers_ = timers_of(plan_);
     if (is_settled() || plan_.odom_topic.empty()) {
         return;
     }
@@ -68,18 +84,21 @@ void MessageLogStream::rehearse(const OpenSource& open) {
     while (!rehearsal.is_settled() && rehearsal.summary().scans < most_rehearsed && rehearsal.next()) {
     }
     gyro_trial_ = rehearsal.gyro_trial_;
-    sweep_timer_ = rehearsal.sweep_timer_;
-    if (const std::string finding = sweep_timer_.finding(); !finding.empty()) {
-        summary_.assumptions.push_back(file_ + ": " + finding);
+    sweep_timers_ = rehearsal.sweep_timers_;
+    for (SweepTimer& timer : sweep_timers_) {
+        if (const std::string finding = timer.finding(); !finding.empty()) {
+            summary_.assumptions.push_back(file_ + ": " + finding);
+        }
+        timer.settle();
     }
-    sweep_timer_.settle();
     if (!plan_.imu_topic.empty()) {
         judge_gyro();
     }
 }
 
 void MessageLogStream::survey_once(const OpenSource& open, const LogOptions& options) {
-    auto source = std::make_unique<KeptMessages>(open([this](const LogProblem& problem) { report(problem); }));
+    auto source = std::make_unique<KeptMessages>(open([this](const LogProblem& problem) { report(problem); }),
+                                                 options.cloud_topic.empty());
     plan_ = plan_log(survey_log(*source, SurveyExtent::beginning, options), options, file_);
     source->rewind();
     source_ = std::move(source);
@@ -90,11 +109,19 @@ std::optional<SensorFrame> MessageLogStream::next() {
         if (const std::optional<McapMessage> message = source_->next()) {
             take(*message);
         } else {
-            ended_ = true;
-            release_odometry(true);
+            end();
         }
     }
     return waiting_.empty() ? std::nullopt : std::optional(release_first());
+}
+
+void MessageLogStream::end() {
+    ended_ = true;
+    release_odometry(true);
+    if (clouds_ > 0 && clouds_in_band_ == 0) {
+        report({file_ + ": none of the " + std::to_string(clouds_) + " clouds of the log" +
+                " has a point in the band of heights; expected walls there, see --height MIN,MAX"});
+    }
 }
 
 void MessageLogStream::take(const McapMessage& message) {
@@ -110,9 +137,11 @@ void MessageLogStream::take(const McapMessage& message) {
     if (kind != MessageKind::scan && !has_poses(kind)) {
         return;
     }
-    if (kind == MessageKind::scan) {
-        if (topic == plan_.scan_topic) {
-            take_scan(message);
+    if (kind == MessageKind::scan || kind == MessageKind::cloud) {
+        const auto lidar = std::ranges::find(plan_.lidars, topic, &LidarPlan::topic);
+        if (lidar != plan_.lidars.end()) {
+            const auto number = static_cast<std::size_t>(lidar - plan_.lidars.begin());
+            kind == MessageKind::scan ? take_scan(message, number) : take_cloud(message, number);
         }
         return;
     }
@@ -124,25 +153,54 @@ void MessageLogStream::take(const McapMessage& message) {
     }
 }
 
-void MessageLogStream::take_scan(const McapMessage& message) {
-    std::optional<ScanReading> reading = decode_scan(message);
+void MessageLogStream::take_scan(const McapMessage& message, std::size_t lidar) {
+    std::optional<ScanReading> reading = decode_scan(message, plan_.echo);
     if (!reading) {
         report_message(message, "a damaged message");
         return;
     }
-    WaitingScan scan;
-    const Eigen::Isometry3d* robot_from_laser = mounting_of(reading->frame_id);
+    const Eigen::Isometry3d* robot_from_laser = mounting_of(reading->frame_id, message);
     if (robot_from_laser == nullptr) {
-        report_message(message,
-                       "a scan in the frame '" + reading->frame_id + "', which no transform places on the robot,");
         return;
     }
-    if (const auto fault = place_scan(std::move(*reading), *robot_from_laser, plan_.ranges, scan.frame)) {
+    SensorFrame frame;
+    frame.lidar = lidar;
+    if (const auto fault = place_scan(std::move(*reading), *robot_from_laser, plan_.lidars[lidar].ranges, frame)) {
         report_message(message, *fault);
         return;
     }
+    wait(std::move(frame));
+}
+
+void MessageLogStream::take_cloud(const McapMessage& message, std::size_t lidar) {
+    const std::optional<CloudReading> reading = decode_cloud(message);
+    if (!reading || !reading->fault.empty() || reading->points_m.empty()) {
+        report_message(message, !reading                 ? "a damaged message"
+                                : reading->fault.empty() ? "a cloud without points"
+                                                         : "a cloud " + reading->fault);
+        return;
+    }
+    const Eigen::Isometry3d* robot_from_laser = mounting_of(reading->frame_id, message);
+    if (robot_from_laser == nullptr) {
+        return;
+    }
+    const bool is_known = plan_.robot_from_laser.contains(reading->frame_id);
+    const HeightBand band = plan_.height ? *plan_.height
+                            : is_known   ? band_around_lidar(robot_from_laser->translation().z())
+                                         : band_around_unknown;
+    SensorFrame frame;
+    frame.lidar = lidar;
+    place_cloud(*reading, *robot_from_laser, band, plan_.cloud_beams, plan_.lidars[lidar].ranges, frame);
+    ++clouds_;
+    clouds_in_band_ += std::ranges::any_of(frame.scan.ranges_m, [](float m) { return std::isfinite(m); }) ? 1 : 0;
+    wait(std::move(frame));
+}
+
+void MessageLogStream::wait(SensorFrame frame) {
+    WaitingScan scan;
+    scan.frame = std::move(frame);
     const std::int64_t stamp_ns = scan.frame.scan.stamp_ns;
-    scan.measured_ns = moved(stamp_ns, std::llround(1e9 * sweep_timer_.longest_s(scan.frame.scan)));
+    scan.measured_ns = moved(stamp_ns, std::llround(1e9 * sweep_timers_[scan.frame.lidar].longest_s(scan.frame.scan)));
     scan.has_odometry = plan_.odom_topic.empty() || odometry_.contains(scan.measured_ns);
     scan.has_ground_truth = plan_.ground_truth_topic.empty() || ground_truth_.contains(stamp_ns);
     scan.has_information = !plan_.has_information;
@@ -200,7 +258,8 @@ void MessageLogStream::take_rates(const McapMessage& message) {
 }
 
 bool MessageLogStream::is_settled() const {
-    return sweep_timer_.is_settled() && (plan_.imu_topic.empty() || gyro_is_judged_ || gyro_trial_.is_complete());
+    return std::ranges::all_of(sweep_timers_, &SweepTimer::is_settled) &&
+           (plan_.imu_topic.empty() || gyro_is_judged_ || gyro_trial_.is_complete());
 }
 
 void MessageLogStream::judge_gyro() {
@@ -274,11 +333,15 @@ bool MessageLogStream::has_rotation(const PoseReading& reading, const McapMessag
     return reading.has_rotation;
 }
 
-const Eigen::Isometry3d* MessageLogStream::mounting_of(const std::string& frame_id) const {
+const Eigen::Isometry3d* MessageLogStream::mounting_of(const std::string& frame_id, const McapMessage& message) {
     if (const auto known = plan_.robot_from_laser.find(frame_id); known != plan_.robot_from_laser.end()) {
         return &known->second;
     }
-    return plan_.robot_from_other_laser ? &*plan_.robot_from_other_laser : nullptr;
+    if (plan_.robot_from_other_laser) {
+        return &*plan_.robot_from_other_laser;
+    }
+    report_message(message, "a scan in the frame '" + frame_id + "', which no transform places on the robot,");
+    return nullptr;
 }
 
 bool MessageLogStream::is_odometry(const PoseReading& reading) const {
@@ -309,10 +372,12 @@ void MessageLogStream::time_beams(SensorFrame& frame) {
     const auto odometry_after = [&](double seconds) {
         return odometry_.extended_at(moved(frame.scan.stamp_ns, std::llround(1e9 * seconds)));
     };
-    if (sweep_timer_.apply(frame, odometry_after)) {
-        summary_.assumptions.push_back(file_ + ": " + sweep_timer_.finding());
+    SweepTimer& timer = sweep_timers_[frame.lidar];
+    if (timer.apply(frame, odometry_after)) {
+        summary_.assumptions.push_back(file_ + ": " + timer.finding());
     }
-    if (!plan_.imu_topic.empty() && !gyro_is_judged_ && gyro_trial_.add(frame, gyro_odometry_.gyro()) &&
+    if (frame.lidar == 0 && !plan_.imu_topic.empty() && !gyro_is_judged_ &&
+        gyro_trial_.add(frame, gyro_odometry_.gyro()) &&
         (gyro_trial_.is_complete() || (is_read_once_ && gyro_trial_.is_decided()))) {
         judge_gyro();
     }

@@ -68,7 +68,12 @@ private:
     void survey(const OpenSource& open, const LogOptions& options);
     void survey_once(const OpenSource& open, const LogOptions& options);
     void take(const McapMessage& message);
-    void take_scan(const McapMessage& message);
+    void take_scan(const McapMessage& message, std::size_t lidar);
+    void take_cloud(const McapMessage& message, std::size_t lidar);
+    /// Puts a scan among those that wait for their odometry.
+    void wait(SensorFrame frame);
+    /// The source has no more messages.
+    void end();
     void take_odometry(const McapMessage& message);
     void take_rates(const McapMessage& message);
     void add_odometry(const StampedPose& odom_from_robot);
@@ -80,8 +85,8 @@ private:
     void take_information(const McapMessage& message);
     /// Reports the message if not.
     bool has_rotation(const PoseReading& reading, const McapMessage& message);
-    /// Null if the frame has no known place on the robot.
-    [[nodiscard]] const Eigen::Isometry3d* mounting_of(const std::string& frame_id) const;
+    /// Null if the frame of the message has no known place on the robot, which is then reported.
+    const Eigen::Isometry3d* mounting_of(const std::string& frame_id, const McapMessage& message);
     [[nodiscard]] bool is_odometry(const PoseReading& reading) const;
     [[nodiscard]] bool first_is_ready() const;
     SensorFrame release_first();
@@ -93,7 +98,7 @@ private:
     LogPlan plan_;
     std::unique_ptr<MessageSource> source_;
     std::deque<WaitingScan> waiting_;
-    SweepTimer sweep_timer_;
+    std::vector<SweepTimer> sweep_timers_;  ///< of each lidar
     OdometryResets resets_;
     GyroOdometry gyro_odometry_;
     GyroTrial gyro_trial_;
@@ -103,6 +108,8 @@ private:
     PoseTrack ground_truth_;
     std::shared_ptr<ScanTruth> truth_;
     bool ended_ = false;
+    std::size_t clouds_ = 0;          ///< that were read
+    std::size_t clouds_in_band_ = 0;  ///< of these, with a point in the band of heights
 };
 
 }  // namespace ddtool

@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <cctype>
 #include <functional>
+#include <string_view>
 #include <vector>
+
+#include "base/text.hpp"
 
 namespace ddtool {
 namespace {
@@ -48,6 +51,15 @@ bool names_static(const std::string& name) {
 bool names_fixed_frame(const std::string& name) {
     return names_odometry(name) ||
            any_word(name, [](const std::string& word) { return word == "map" || word == "world" || word == "earth"; });
+}
+
+std::vector<std::string> topics_named(const std::string& option) {
+    std::vector<std::string> topics;
+    std::string_view rest = option;
+    for (std::string_view topic = next_word(rest); !topic.empty(); topic = next_word(rest)) {
+        topics.emplace_back(topic);
+    }
+    return topics;
 }
 
 std::string transform_namespace(const std::string& topic) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 namespace ddtool {
 
@@ -16,6 +17,9 @@ bool names_odometry(const std::string& name);
 bool names_static(const std::string& name);
 /// Whether the name is that of a frame that does not move with the robot: odom, map, world or earth.
 bool names_fixed_frame(const std::string& name);
+
+/// The topics in an option, which are separated by commas.
+std::vector<std::string> topics_named(const std::string& option);
 
 /// The namespace of a robot's own transforms: "/robot1" of "/robot1/tf" and "/robot1/tf_static"; empty for every other
 /// topic, whose transforms are for all robots.

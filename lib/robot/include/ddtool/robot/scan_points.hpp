@@ -8,9 +8,9 @@
 
 namespace ddtool {
 
-/// The end points of one scan in the robot's frame, computed once and used by every particle. Neighbouring beams that
-/// end within spacing_m of each other are merged to one point at their mean. The points are stored as one array per
-/// coordinate, in angular order.
+/// The end points of a scan, and of those joined to it, in the robot's frame, computed once and used by every particle.
+/// Neighbouring beams that end within spacing_m of each other are merged to one point at their mean. The points are
+/// stored as one array per coordinate, scan by scan in angular order.
 struct ScanPoints {
     Point2 origin_m;                        ///< the laser in the robot's frame, in the middle of the sweep
     std::vector<float> x_m, y_m;            ///< end point
@@ -19,6 +19,12 @@ struct ScanPoints {
     /// the neighbours form no line, so that the point counts equally in every direction.
     std::vector<float> along_weight;
     std::vector<std::int32_t> order;  ///< rises by 1 between neighbours, by more across beams without return
+    /// The points of one further lidar (SensorFrame::joined); its order goes on behind a gap.
+    struct Joined {
+        Point2 origin_m;        ///< the laser in the robot's frame
+        std::size_t begin = 0;  ///< its first point; its last is before the first of the next
+    };
+    std::vector<Joined> joined;  ///< behind the points of the frame's own scan, which may be none
 
     /// Neighbours within this distance define the surface normal of a point. No setting: over 0.25 m the normals are
     /// smeared across the recesses of a textured corridor, which then comes out long; nearer ones are mostly noise.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -20,6 +21,10 @@ struct SensorFrame {
     /// How the robot moved during the scan, by the odometry: its poses in its frame at the stamp, at equal steps from
     /// the first beam to the last (robot/sweep.hpp). Empty where all beams count as measured at the stamp.
     std::vector<Pose2> sweep = {};
+    std::size_t lidar = 0;  ///< which of the robot's lidars took the scan
+    /// Scans of other lidars that are used together with this one, each with what is known at its own stamp. Between
+    /// their stamps and this one the robot moved as odom_from_robot says.
+    std::vector<SensorFrame> joined = {};
 };
 
 /// A sequence of frames in the order of the source. Logs and the simulator produce streams and the filter consumes

@@ -84,12 +84,7 @@ std::vector<Setting> experiment_setting_list() {
          "",
          {}},
         {"seeds", {}, "", "", "", seed_range_setting_list()},
-        {"simulation",
-         {},
-         "",
-         "",
-         "",
-         without(without(without(sim::simulation_setting_list(), "world"), "seed"), "imu")},
+        {"simulation", {}, "", "", "", sim::common_simulation_setting_list()},
         {"filter", {}, "", "", "", without(filter_setting_list(), "seed")},
         {"score", {}, "", "", "", score_rows().settings()}};
 }

@@ -1,0 +1,48 @@
+#include "ddtool/robot/joined_scans.hpp"
+
+#include <cmath>
+#include <utility>
+
+namespace ddtool {
+namespace {
+
+double seconds_from(std::int64_t from_ns, std::int64_t to_ns) {
+    return 1e-9 * (static_cast<double>(to_ns) - static_cast<double>(from_ns));
+}
+
+}  // namespace
+
+std::optional<SensorFrame> JoinedScans::next() {
+    while (std::optional<SensorFrame> frame = source_.next()) {
+        if (!leads(*frame)) {
+            const std::size_t lidar = frame->lidar;
+            latest_.insert_or_assign(lidar, std::move(*frame));
+            continue;
+        }
+        for (const auto& [lidar, other] : latest_) {
+            if (lidar != frame->lidar &&
+                std::abs(seconds_from(other.scan.stamp_ns, frame->scan.stamp_ns)) <= oldest_s) {
+                frame->joined.push_back(other);
+            }
+        }
+        return frame;
+    }
+    return std::nullopt;
+}
+
+bool JoinedScans::leads(const SensorFrame& frame) {
+    const std::int64_t stamp_ns = frame.scan.stamp_ns;
+    if (!led_ns_) {
+        led_ns_ = stamp_ns;
+    }
+    if (frame.lidar == 0 || seconds_from(*led_ns_, stamp_ns) > silent_s) {
+        leader_ = frame.lidar;
+    }
+    if (frame.lidar != leader_) {
+        return false;
+    }
+    led_ns_ = stamp_ns;
+    return true;
+}
+
+}  // namespace ddtool
