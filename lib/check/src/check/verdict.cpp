@@ -57,7 +57,7 @@ Found revisits_disagree(const Evidence& evidence) {
 
 /// The regressions below need some motion, or a standing robot's noise would decide.
 constexpr double least_way_m = 5.0;
-constexpr double least_turn_rad = 2.0 * std::numbers::pi;
+constexpr double least_turning_rad = std::numbers::pi;
 
 /// Wheels are off by a few per cent, worn or slipping ones included; a tenth is a wrong unit, a wrong scale of the
 /// ranges, or matching that held the robot back or drove it on.
@@ -75,7 +75,7 @@ Found lengths_differ(const Evidence& evidence) {
 Found turns_differ(const Evidence& evidence) {
     constexpr double most = 0.15;
     const MotionEvidence& motion = evidence.motion;
-    if (motion.odometry_turn_rad < least_turn_rad || std::abs(motion.turn - 1.0) <= most) {
+    if (motion.odometry_turn_rad < least_turning_rad || std::abs(motion.turn - 1.0) <= most) {
         return std::nullopt;
     }
     return Finding{Standing::doubtful, "for each degree that the odometry turned the scans turned the robot by " +
@@ -103,7 +103,7 @@ Found turns_about_another_point(const Evidence& evidence) {
     constexpr double most_m = 0.3;
     const MotionEvidence& motion = evidence.motion;
     const double away_m = std::hypot(motion.lever_m.x_m, motion.lever_m.y_m);
-    if (motion.odometry_turn_rad < least_turn_rad || away_m <= most_m) {
+    if (motion.odometry_turn_rad < least_turning_rad || away_m <= most_m) {
         return std::nullopt;
     }
     return Finding{Standing::doubtful, "by the scans the robot turns about a point " + metres(away_m) +
