@@ -48,6 +48,7 @@ TEST(SelfCheck, AMapThatTornIsContradictedAtTheTear) {
     Trajectory torn = truth;
     for (std::size_t index = torn.size() / 2; index < torn.size(); ++index) {
         torn[index].pose.x_m += 0.8;
+        torn[index].pose.y_m += 0.8;
     }
     const Evidence evidence = evidence_of(torn, truth);
     EXPECT_LT(evidence.neighbours.bad, 0.05);

@@ -81,7 +81,8 @@ std::vector<Fault> faults() {
              e.steps.lost = 1;
              e.steps.longest_lost_s = 20.0;
          }},
-        {"the odometry alone leads back to where it was", [](Evidence& e) { e.odometry_revisits.bad = 0.1; }},
+        {"the odometry alone leads back to where it was",
+         [](Evidence& e) { e.odometry_revisits = {.pairs = 850, .contradicted = 0.05, .p90 = 0.2, .bad = 0.1}; }},
     };
 }
 
@@ -89,6 +90,12 @@ TEST(Verdict, NothingSpeaksAgainstAHealthyRun) {
     const Verdict verdict = verdict_of(healthy());
     EXPECT_EQ(verdict.standing, Standing::plausible);
     EXPECT_THAT(verdict.reasons, IsEmpty());
+}
+
+TEST(Verdict, AnOdometryThatSeldomLeadsBackProvesNothing) {
+    Evidence evidence = healthy();
+    evidence.odometry_revisits = {.pairs = 200, .contradicted = 0.0, .p90 = 0.0, .bad = 0.0};
+    EXPECT_THAT(verdict_of(evidence).reasons, IsEmpty());
 }
 
 TEST(Verdict, ARunWithoutAnythingIsPlausible) { EXPECT_THAT(verdict_of({}).reasons, IsEmpty()); }

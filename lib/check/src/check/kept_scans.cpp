@@ -11,7 +11,7 @@ constexpr std::int64_t longest_wait_ns = 1'000'000'000;
 
 void KeptScans::offer(const SensorFrame& frame, bool updated) {
     const std::size_t index = seen_++;
-    if (!updated && std::abs(frame.scan.stamp_ns - offered_ns_) < longest_wait_ns) {
+    if (!updated && offered_ns_ && std::abs(frame.scan.stamp_ns - *offered_ns_) < longest_wait_ns) {
         return;
     }
     offered_ns_ = frame.scan.stamp_ns;

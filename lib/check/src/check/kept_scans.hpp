@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "check/sight.hpp"
@@ -31,7 +32,7 @@ private:
     std::size_t seen_ = 0;
     std::size_t offered_ = 0;
     std::size_t every_ = 1;
-    std::int64_t offered_ns_ = 0;
+    std::optional<std::int64_t> offered_ns_;
 };
 
 }  // namespace ddtool::check

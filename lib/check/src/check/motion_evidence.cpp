@@ -16,6 +16,9 @@ bool is_jump(double apart_m, double apart_rad, const Pose2& odometry) {
            apart_rad > 0.3 + 0.5 * std::abs(odometry.theta_rad);
 }
 
+/// Smaller turns between two updates are how a robot that drives straight trembles.
+constexpr double least_turn_rad = 0.02;
+
 const SnapshotParticle& best_of(const ParticleSnapshot& swarm) {
     return *std::max_element(
         swarm.particles.begin(), swarm.particles.end(),
@@ -35,7 +38,8 @@ void MotionWitness::add(const Update& update, Openness openness) {
     ++sums_.updates;
     sums_.odometry_m += odometry_m;
     sums_.matched_m += std::hypot(matched.x_m, matched.y_m);
-    sums_.odometry_turn_rad += std::abs(odometry.theta_rad);
+    const double turn_rad = std::abs(odometry.theta_rad);
+    sums_.odometry_turn_rad += turn_rad >= least_turn_rad ? turn_rad : 0.0;
     const double dot = odometry.x_m * matched.x_m + odometry.y_m * matched.y_m;
     dot_ += dot;
     cross_ += odometry.x_m * matched.y_m - odometry.y_m * matched.x_m;

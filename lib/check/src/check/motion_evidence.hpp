@@ -14,7 +14,7 @@ struct MotionEvidence {
     std::uint64_t updates = 0;  ///< that have a motion, so without the first
     double odometry_m = 0.0;    ///< sum of the distances between updates
     double matched_m = 0.0;
-    double odometry_turn_rad = 0.0;  ///< sum of the turns' magnitudes
+    double odometry_turn_rad = 0.0;  ///< sum of the turns' magnitudes, without those of a robot that drives straight
     double along = 1.0;              ///< matched distance for each metre of odometry, in its direction (regression)
     double across = 0.0;        ///< the same across it, to the left: where it is not 0, the laser is yawed on the robot
     double turn = 1.0;          ///< matched turn for each radian of odometry (regression)

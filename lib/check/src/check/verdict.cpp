@@ -57,7 +57,7 @@ Found revisits_disagree(const Evidence& evidence) {
 
 /// The regressions below need some motion, or a standing robot's noise would decide.
 constexpr double least_way_m = 5.0;
-constexpr double least_turn_rad = 2.0 * std::numbers::pi;
+constexpr double least_turning_rad = std::numbers::pi;
 
 /// Wheels are off by a few per cent, worn or slipping ones included; a tenth is a wrong unit, a wrong scale of the
 /// ranges, or matching that held the robot back or drove it on.
@@ -75,7 +75,7 @@ Found lengths_differ(const Evidence& evidence) {
 Found turns_differ(const Evidence& evidence) {
     constexpr double most = 0.15;
     const MotionEvidence& motion = evidence.motion;
-    if (motion.odometry_turn_rad < least_turn_rad || std::abs(motion.turn - 1.0) <= most) {
+    if (motion.odometry_turn_rad < least_turning_rad || std::abs(motion.turn - 1.0) <= most) {
         return std::nullopt;
     }
     return Finding{Standing::doubtful, "for each degree that the odometry turned the scans turned the robot by " +
@@ -103,7 +103,7 @@ Found turns_about_another_point(const Evidence& evidence) {
     constexpr double most_m = 0.3;
     const MotionEvidence& motion = evidence.motion;
     const double away_m = std::hypot(motion.lever_m.x_m, motion.lever_m.y_m);
-    if (motion.odometry_turn_rad < least_turn_rad || away_m <= most_m) {
+    if (motion.odometry_turn_rad < least_turning_rad || away_m <= most_m) {
         return std::nullopt;
     }
     return Finding{Standing::doubtful, "by the scans the robot turns about a point " + metres(away_m) +
@@ -169,7 +169,7 @@ Found leaps_without_ground(const Evidence& evidence) {
     return Finding{Standing::doubtful,
                    "where the scans leave open how far the robot came, the path left the odometry by " +
                        metres(motion.open.worst_step_m) + " at a single update; usually they differ by " +
-                       metres(motion.usual_m)};
+                       fixed_text(motion.usual_m, 3) + " m"};
 }
 
 /// The same for the heading, where the scans see hardly anything. Poor wheels err by 0.008 rad for the root of each
@@ -224,14 +224,17 @@ Found motion_lost(const Evidence& evidence) {
                                            " s) while the robot drives, and the odometry knows of no motion meanwhile"};
 }
 
-/// An odometry that leads back to the places that it has seen, again and again, and so has hardly drifted, bounds how
-/// far the right path can be from it.
+/// An odometry that leads back to where it was as often as the path does, with scans that agree there to two
+/// decimetres, has hardly drifted. The right path cannot be three times as far from it.
 Found leaves_good_odometry(const Evidence& evidence) {
     constexpr std::size_t enough_pairs = 40;
     constexpr double closed = 0.3;
-    constexpr double most_m = 1.0;
+    constexpr double most_m = 0.6;
+    constexpr double least_of_revisits = 0.9;
     const PairEvidence& pairs = evidence.odometry_revisits;
-    if (pairs.pairs < enough_pairs || pairs.bad > closed || evidence.from_odometry_m <= most_m) {
+    const auto revisits = static_cast<double>(evidence.revisits.pairs);
+    if (pairs.pairs < enough_pairs || static_cast<double>(pairs.pairs) < least_of_revisits * revisits ||
+        pairs.bad > closed || evidence.from_odometry_m <= most_m) {
         return std::nullopt;
     }
     return Finding{Standing::doubtful, "the odometry alone leads back to where it was (" + percent(1.0 - pairs.bad) +
