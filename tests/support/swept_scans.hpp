@@ -45,6 +45,18 @@ struct SweptScans {
         return frame;
     }
 
+    /// The scan of a robot that stands there.
+    [[nodiscard]] static SensorFrame scan_at(const Pose2& world_from_robot) {
+        SensorFrame frame = SweptScans{.order = 0}.scan_at(0.0);
+        const Pose2 laser = world_from_robot * frame.robot_from_laser;
+        for (std::size_t beam = 0; beam < beams; ++beam) {
+            frame.scan.ranges_m[beam] = range_m(laser, frame.scan.angle_rad(beam));
+        }
+        frame.odom_from_robot = world_from_robot;
+        frame.world_from_robot = world_from_robot;
+        return frame;
+    }
+
 private:
     static float range_m(const Pose2& laser, double angle_rad) {
         const double direction = laser.theta_rad + angle_rad;

@@ -1,5 +1,6 @@
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <numbers>
@@ -153,6 +154,31 @@ TEST(GyroTrial, FindsDegreesAndSensorsThatAreMountedUpsideDown) {
     EXPECT_NEAR(verdict_of(1.05, per_degree, 0.5)->scale, 1.0 / per_degree, 1e-9);
     EXPECT_NEAR(verdict_of(1.05, -per_degree, 0.5)->scale, -1.0 / per_degree, 1e-9);
     EXPECT_TRUE(verdict_of(1.05, -per_degree, 0.5)->is_better);
+}
+
+TEST(GyroTrial, FindsTheUnitWhereTheRobotSeldomTurns) {
+    GyroTrial trial;
+    GyroTrack gyro;
+    RandomStream random{5};
+    // it stands for five seconds of six, and turns at 0.5 rad/s in the sixth
+    const auto heading_at = [](double t_s) {
+        return 0.5 * (std::floor(t_s / 6.0) + std::clamp(std::fmod(t_s, 6.0), 0.0, 1.0));
+    };
+    int rates = 0;
+    for (int i = 0; i < 300; ++i) {
+        const double t_s = 0.2 * i;
+        for (; 0.01 * rates <= t_s; ++rates) {
+            const double rate = 100.0 * (heading_at(0.01 * rates) - heading_at(0.01 * (rates - 1)));
+            gyro.add(rates * 10 * ms, -180.0 / std::numbers::pi * rate + 0.05 * random.normal());
+        }
+        SensorFrame frame = SweptScans::scan_at(Pose2{0.0, 0.0, heading_at(t_s)});
+        frame.scan.stamp_ns = i * 200 * ms;
+        frame.odom_from_robot = {0.0, 0.0, 1.1 * heading_at(t_s)};
+        trial.add(frame, gyro);
+    }
+    const GyroVerdict verdict = trial.verdict().value();
+    EXPECT_NEAR(verdict.scale, -std::numbers::pi / 180.0, 1e-9);
+    EXPECT_TRUE(verdict.is_better);
 }
 
 TEST(GyroTrial, KeepsWheelsThatAreAsGoodAndTakesNoGyroThatDoesNotFit) {

@@ -44,14 +44,16 @@ TEST(FilterSettings, LeaveNoFieldOut) {
     EXPECT_EQ(json.at("matcher").size(), field_count<ScanMatcherSettings>());
 }
 
-/// A settings tree in which every number is a little larger, so that none has its default. Names are not changed,
-/// because each of them must be in a table.
+/// A settings tree in which every number is a little larger and every flag turned, so that none has its default. Names
+/// are not changed, because each of them must be in a table.
 Json enlarged(Json json) {
     for (auto& [key, value] : json.items()) {
         if (value.is_object()) {
             value = enlarged(value);
         } else if (value.is_string()) {
             continue;
+        } else if (value.is_boolean()) {
+            value = !value.get<bool>();
         } else if (value.is_number_integer()) {
             value = value.get<int>() + 1;
         } else {

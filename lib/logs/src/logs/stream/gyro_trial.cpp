@@ -85,6 +85,13 @@ GyroTrial::Fit GyroTrial::fit(const std::vector<double>& turns_rad, bool has_bia
         fit.median_rad = sorted_rad[sorted_rad.size() / 2];
         largest_rad = most_medians * fit.median_rad;
     }
+    double weighted = 0.0;
+    double squares = 0.0;
+    for (std::size_t i = 0; i < pairs_.size(); ++i) {
+        weighted += std::abs(pairs_[i].scans_rad) * fit.errors_rad[i];
+        squares += pairs_[i].scans_rad * pairs_[i].scans_rad;
+    }
+    fit.share = weighted / squares;
     return fit;
 }
 
@@ -103,7 +110,7 @@ std::optional<GyroVerdict> GyroTrial::verdict() const {
     Fit best;
     for (const double scale : {1.0, -1.0, rad_per_degree, -rad_per_degree}) {
         Fit found = fit(gyro_turns_rad(scale), true);
-        if (best.errors_rad.empty() || found.median_rad < best.median_rad) {
+        if (best.errors_rad.empty() || found.share < best.share) {
             best = std::move(found);
             verdict.scale = scale;
         }
@@ -113,19 +120,21 @@ std::optional<GyroVerdict> GyroTrial::verdict() const {
     verdict.bias_rad_per_s = best.bias_rad_per_s;
     verdict.error_rad = best.median_rad;
     verdict.odometry_error_rad = odometry.median_rad;
-    verdict.fits = best.median_rad < fitting_share * turn_rad / count;
+    verdict.fits = best.share < fitting_share;
     const double most_rad = most_medians * odometry.median_rad;
     double sum = 0.0;
     double squares = 0.0;
+    double odometry_sum = 0.0;
     for (std::size_t i = 0; i < pairs_.size(); ++i) {
-        const double gain = std::min(odometry.errors_rad[i], most_rad) - std::min(best.errors_rad[i], most_rad);
+        const double odometry_rad = std::min(odometry.errors_rad[i], most_rad);
+        const double gain = odometry_rad - std::min(best.errors_rad[i], most_rad);
+        odometry_sum += odometry_rad;
         sum += gain;
         squares += gain * gain;
     }
     const double mean = sum / count;
     const double deviation = std::sqrt(std::max(squares / count - mean * mean, 0.0) / count);
-    verdict.is_better =
-        verdict.fits && best.median_rad < least_share * odometry.median_rad && mean > least_deviations * deviation;
+    verdict.is_better = verdict.fits && sum > least_gain * odometry_sum && mean > least_deviations * deviation;
     return verdict;
 }
 

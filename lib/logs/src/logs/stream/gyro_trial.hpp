@@ -29,9 +29,9 @@ public:
     static constexpr std::size_t least_pairs = 12;
     static constexpr std::size_t deciding_pairs = 30;
     static constexpr double least_turn_rad = 1.0;  ///< in total
-    /// The odometry's own turns are kept unless those of the gyro err this much less, and by this many standard
-    /// errors: the odometry may already have them from the same gyro.
-    static constexpr double least_share = 0.8;
+    /// The odometry's own turns are kept unless those of the gyro err less by this share, which would matter, and by
+    /// this many standard errors. If the odometry has its turns from the same gyro, they do not differ.
+    static constexpr double least_gain = 0.05;
     static constexpr double least_deviations = 3.0;
 
     /// Returns whether there is now one more pair.
@@ -61,6 +61,7 @@ private:
         double bias_rad_per_s = 0.0;
         std::vector<double> errors_rad;  ///< without sign
         double median_rad = 0.0;
+        double share = 0.0;  ///< of the turns; large turns count most, since small ones do not tell the scale
     };
 
     /// \param has_bias false: the turns are taken as they are, because nothing takes a bias off the wheels'
