@@ -280,6 +280,10 @@ TEST_F(CloudLog, TakesTheBandAroundALidarThatIsAnywhere) {
     cloud("/points", 0.0, test::round_room(4.0, -0.5, 16, 900));
     EXPECT_NEAR(range_towards(read().at(0).scan, 0.5), 4.0, 1e-4);
     EXPECT_THAT(assumptions(), HasSubstr("above the lidar, whose height on the robot is unknown"));
+    log_.add("/tf", 0, transform_message(0, "odom", "base", {}));  // says nothing of the lidar
+    log_.add("/tf_static", 0, transform_message(0, "lidar", "ring", {}));
+    EXPECT_NEAR(range_towards(read().at(0).scan, 0.5), 4.0, 1e-4);
+    EXPECT_THAT(assumptions(), HasSubstr("above the lidar, whose height on the robot is unknown"));
 }
 
 TEST_F(CloudLog, IsUsedBesideScansOnlyIfItIsNamed) {

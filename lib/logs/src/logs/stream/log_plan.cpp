@@ -494,7 +494,7 @@ private:
                     assume(lidars_.size() > 1 ? lidar.topic + ": " + line : line);
                 }
             }
-            plan_.lidars.push_back({.topic = lidar.topic, .ranges = std::move(ranges)});
+            plan_.lidars.push_back({.topic = lidar.topic, .ranges = std::move(ranges), .sweep = {}});
         }
     }
 

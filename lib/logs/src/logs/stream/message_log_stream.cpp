@@ -184,10 +184,9 @@ void MessageLogStream::take_cloud(const McapMessage& message, std::size_t lidar)
     if (robot_from_laser == nullptr) {
         return;
     }
-    const bool is_known = plan_.robot_from_laser.contains(reading->frame_id);
-    const HeightBand band = plan_.height ? *plan_.height
-                            : is_known   ? band_around_lidar(robot_from_laser->translation().z())
-                                         : band_around_unknown;
+    const HeightBand band = plan_.height                   ? *plan_.height
+                            : plan_.robot_from_other_laser ? band_around_unknown
+                                                           : band_around_lidar(robot_from_laser->translation().z());
     SensorFrame frame;
     frame.lidar = lidar;
     place_cloud(*reading, *robot_from_laser, band, plan_.cloud_beams, plan_.lidars[lidar].ranges, frame);
