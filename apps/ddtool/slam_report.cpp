@@ -9,6 +9,7 @@ Json log_report(const std::string& file, const LogSummary& log) {
             {"format", log.format},
             {"scan_topic", log.scan_topic},
             {"odom_topic", log.odom_topic},
+            {"odom_delay_removed_s", log.odom_delay_removed_s},
             {"ground_truth_topic", log.ground_truth_topic},
             {"scans", log.scans},
             {"odometry", log.odometry},

@@ -11,7 +11,7 @@ struct MessageType {
 };
 
 /// The kinds of message from which the first byte of an input chooses, for the reader "message".
-inline constexpr std::array<MessageType, 17> message_types{{
+inline constexpr std::array<MessageType, 19> message_types{{
     {"/scan", "cdr", "sensor_msgs/msg/LaserScan"},
     {"/odom", "cdr", "nav_msgs/msg/Odometry"},
     {"/pose", "cdr", "geometry_msgs/msg/PoseStamped"},
@@ -29,6 +29,8 @@ inline constexpr std::array<MessageType, 17> message_types{{
     {"/tf", "json", "foxglove.FrameTransform"},
     {"/tf", "json", "foxglove.FrameTransforms"},
     {"/fisher_information", "cdr", "std_msgs/msg/Float64MultiArray"},
+    {"/twist", "cdr", "geometry_msgs/msg/TwistStamped"},
+    {"/twist", "ros1", "geometry_msgs/TwistStamped"},
 }};
 
 }  // namespace ddtool::fuzz

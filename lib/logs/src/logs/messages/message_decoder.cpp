@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "logs/messages/foxglove_json.hpp"
 #include "logs/messages/foxglove_protobuf.hpp"
@@ -16,10 +17,13 @@ struct KnownType {
     MessageKind kind;
 };
 
-constexpr std::array<KnownType, 5> ros_types{{
+constexpr std::array<KnownType, 8> ros_types{{
     {"sensor_msgs/LaserScan", MessageKind::scan},
     {"nav_msgs/Odometry", MessageKind::odometry},
     {"geometry_msgs/PoseStamped", MessageKind::pose},
+    {"geometry_msgs/PoseWithCovarianceStamped", MessageKind::pose},
+    {"geometry_msgs/TwistStamped", MessageKind::velocity},
+    {"geometry_msgs/TwistWithCovarianceStamped", MessageKind::velocity},
     {"tf2_msgs/TFMessage", MessageKind::transforms},
     {"tf/tfMessage", MessageKind::transforms},
 }};
@@ -122,6 +126,17 @@ std::optional<std::vector<PoseReading>> decode_poses(const McapMessage& message)
         tidy_stamp(reading.stamp_ns, message);
     }
     return readings;
+}
+
+std::optional<VelocityReading> decode_velocity(const McapMessage& message) {
+    std::optional<VelocityReading> reading = decode_ros_velocity(message.channel->message_encoding, message.data);
+    const auto is_speed = [](double speed) { return std::abs(speed) < farthest_m; };  // false for NaN
+    if (!reading || !is_speed(reading->x_m_s) || !is_speed(reading->y_m_s) || !is_speed(reading->turn_rad_s)) {
+        return std::nullopt;
+    }
+    tidy(reading->frame_id);
+    tidy_stamp(reading->stamp_ns, message);
+    return reading;
 }
 
 bool is_information(const McapChannel& channel) {

@@ -13,7 +13,8 @@ enum class MessageKind {
     other,
     scan,        ///< sensor_msgs LaserScan, foxglove LaserScan
     odometry,    ///< nav_msgs Odometry
-    pose,        ///< geometry_msgs PoseStamped, foxglove PoseInFrame
+    pose,        ///< geometry_msgs PoseStamped, PoseWithCovarianceStamped, foxglove PoseInFrame
+    velocity,    ///< geometry_msgs TwistStamped, TwistWithCovarianceStamped
     transforms,  ///< tf2_msgs TFMessage, foxglove FrameTransform(s)
 };
 
@@ -26,8 +27,12 @@ MessageKind kind_of(const McapChannel& channel);
 /// further away than farthest_m.
 std::optional<ScanReading> decode_scan(const McapMessage& message);
 
-/// Decodes a message of another kind by the same rules: one reading for odometry and poses, any number for transforms.
+/// Decodes a message of the kinds odometry, pose and transforms by the same rules: one reading for odometry and poses,
+/// any number for transforms.
 std::optional<std::vector<PoseReading>> decode_poses(const McapMessage& message);
+
+/// Decodes a message of the kind velocity by the same rules. Returns nullopt for a velocity that is not finite, too.
+std::optional<VelocityReading> decode_velocity(const McapMessage& message);
 
 /// Whether the channel is the simulator's /fisher_information, the Fisher information of each scan about the true pose.
 bool is_information(const McapChannel& channel);

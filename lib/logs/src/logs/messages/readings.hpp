@@ -28,4 +28,13 @@ struct PoseReading {
     bool has_rotation = true;  ///< false: the message's quaternion is 0,0,0,0 or no number; the identity stands for it
 };
 
+/// A velocity as it is in a log.
+struct VelocityReading {
+    std::int64_t stamp_ns = 0;
+    std::string frame_id;  ///< in whose axes the velocity is given: the robot's, or those of a fixed frame
+    double x_m_s = 0.0;
+    double y_m_s = 0.0;
+    double turn_rad_s = 0.0;  ///< counter-clockwise
+};
+
 }  // namespace ddtool

@@ -82,5 +82,6 @@ template std::optional<RosTFMessage> decode_ros1(std::span<const std::byte>);
 template std::optional<RosLaserScan> decode_ros1(std::span<const std::byte>);
 template std::optional<RosOdometry> decode_ros1(std::span<const std::byte>);
 template std::optional<RosPoseStamped> decode_ros1(std::span<const std::byte>);
+template std::optional<RosTwistStamped> decode_ros1(std::span<const std::byte>);
 
 }  // namespace ddtool

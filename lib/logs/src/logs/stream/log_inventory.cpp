@@ -31,6 +31,8 @@ std::vector<std::string> frames_of(const McapMessage& message, MessageKind kind)
     std::vector<std::string> frames;
     if (kind == MessageKind::scan) {
         frames.push_back(decode_scan(message).value_or(ScanReading{}).frame_id);
+    } else if (kind == MessageKind::velocity) {
+        frames.push_back(decode_velocity(message).value_or(VelocityReading{}).frame_id);
     } else if (kind != MessageKind::other) {
         for (const PoseReading& pose : decode_poses(message).value_or(std::vector<PoseReading>{})) {
             frames.push_back(pose.frame_id + (pose.child_frame_id.empty() ? "" : " -> " + pose.child_frame_id));

@@ -13,6 +13,7 @@
 #include "logs/stream/scan_change.hpp"
 #include "logs/stream/track_survey.hpp"
 #include "logs/stream/transform_tree.hpp"
+#include "logs/stream/turn_lag.hpp"
 
 namespace ddtool {
 
@@ -29,6 +30,7 @@ struct TopicSurvey {
     RangePiles piles;                         ///< of all scans
     ScanChange change;                        ///< of all scans
     ClockLag clock;                           ///< of all scans
+    ScanTurns turns;                          ///< of the scans in the first of the frames
     std::map<FramePair, TrackSurvey> tracks;  ///< of odometry, poses and transforms
 };
 

@@ -1,8 +1,10 @@
 #include "logs/stream/message_log_stream.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include "base/text.hpp"
 #include "logs/messages/ros_conversions.hpp"
 #include "logs/stream/kept_messages.hpp"
 #include "logs/stream/laser_mounting.hpp"
@@ -29,10 +31,13 @@ MessageLogStream::MessageLogStream(const OpenSource& open, Opening opening, std:
     } else {
         survey_once(open, options);
     }
+    gaps_ = OdometryGaps(plan_.odom_interval_s);
     summary_.format = std::move(format);
     summary_.scan_topic = plan_.scan_topic;
     summary_.odom_topic = plan_.odom_topic;
     summary_.has_odometry = !plan_.odom_topic.empty();
+    summary_.odom_delay = plan_.odom_delay;
+    summary_.odom_delay_removed_s = -1e-9 * static_cast<double>(plan_.odom_clock_offset_ns);
     summary_.ground_truth_topic = plan_.ground_truth_topic;
     summary_.assumptions = plan_.assumptions;
     for (const std::string& fault : plan_.faults) {
@@ -54,6 +59,24 @@ void MessageLogStream::survey_once(const OpenSource& open, const LogOptions& opt
 }
 
 std::optional<SensorFrame> MessageLogStream::next() {
+    std::optional<SensorFrame> frame = watch_.take();
+    for (bool has_more = true; !frame && has_more; frame = watch_.take()) {
+        if (std::optional<SensorFrame> read = read_frame()) {
+            watch_.add(*std::move(read));
+        } else {
+            watch_.end();
+            end_lost_part();
+            has_more = false;
+        }
+        for (const std::string& finding : watch_.take_findings()) {
+            report({file_ + ": " + finding});
+        }
+    }
+    summary_.scans += frame ? 1 : 0;
+    return frame;
+}
+
+std::optional<SensorFrame> MessageLogStream::read_frame() {
     while (!ended_ && !first_is_ready()) {
         if (const std::optional<McapMessage> message = source_->next()) {
             take(*message);
@@ -113,22 +136,29 @@ void MessageLogStream::take_scan(const McapMessage& message) {
 }
 
 void MessageLogStream::take_odometry(const McapMessage& message) {
-    const auto readings = decode_poses(message);
+    const auto readings = odometry_reader_.read(message);
     if (!readings) {
         report_message(message, "a damaged message");
         return;
     }
     for (const PoseReading& reading : *readings) {
-        if (is_odometry(reading) && has_rotation(reading, message)) {
+        if (is_odometry(reading) && has_rotation(reading, message) && is_of_used_path(reading, message)) {
             ++summary_.odometry;
             const std::int64_t stamp_ns = moved(reading.stamp_ns, plan_.odom_clock_offset_ns);
-            const Pose2 odom_from_robot = resets_.follow({stamp_ns, to_pose2(reading.frame_from_child)});
+            const StampedPose odom_from_robot{stamp_ns, resets_.follow({stamp_ns, to_pose2(reading.frame_from_child)})};
+            const auto gap = gaps_.add(odom_from_robot);
             if (const auto& jump = resets_.last_jump()) {
+                if (!jump->is_bridged) {
+                    gaps_.add_unknown(*last_odometry_ns_, stamp_ns);
+                }
                 report({file_ + ": the odometry " + plan_.odom_topic + " " + OdometryResets::text(*jump) + " (near " +
                             message.offset_unit + " " + std::to_string(message.file_offset) + ")",
                         message.file_offset});
+            } else if (gap) {
+                report_gap(*gap, message);
             }
-            odometry_.add({stamp_ns, odom_from_robot});
+            last_odometry_ns_ = stamp_ns;
+            odometry_.add(odom_from_robot);
             for (WaitingScan& scan : waiting_) {
                 scan.has_odometry = scan.has_odometry || scan.frame.scan.stamp_ns <= stamp_ns;
             }
@@ -181,6 +211,11 @@ const Eigen::Isometry3d* MessageLogStream::mounting_of(const std::string& frame_
     return plan_.robot_from_other_laser ? &*plan_.robot_from_other_laser : nullptr;
 }
 
+bool MessageLogStream::is_of_used_path(const PoseReading& reading, const McapMessage& message) {
+    return !plan_.odom_path ||
+           paths_.add({reading.stamp_ns, to_pose2(reading.frame_from_child)}, message.channel->id) == *plan_.odom_path;
+}
+
 bool MessageLogStream::is_odometry(const PoseReading& reading) const {
     return plan_.odom_frame.empty() ||
            (reading.frame_id == plan_.odom_frame && reading.child_frame_id == plan_.robot_frame);
@@ -198,26 +233,64 @@ SensorFrame MessageLogStream::release_first() {
     if (truth_ && scan.information) {
         truth_->add(frame.scan.stamp_ns, *scan.information);
     }
-    ++summary_.scans;
-    frame.odom_from_robot = odometry_at(frame.scan.stamp_ns);
+    take_odometry_at(frame);
     frame.world_from_robot = ground_truth_.at(frame.scan.stamp_ns);
     return std::move(scan.frame);
 }
 
-Pose2 MessageLogStream::odometry_at(std::int64_t stamp_ns) {
+void MessageLogStream::take_odometry_at(SensorFrame& frame) {
+    ++released_;
     if (plan_.odom_topic.empty()) {
-        return {};
+        frame.odom_step = OdometryStep::unknown;
+        return;
     }
+    const std::int64_t stamp_ns = frame.scan.stamp_ns;
+    double apart_s = 0.0;
     if (const std::optional<Pose2> pose = odometry_.at(stamp_ns)) {
-        return *pose;
+        frame.odom_from_robot = *pose;
+    } else {
+        const std::optional<StampedPose> nearest = odometry_.nearest(stamp_ns);
+        apart_s = nearest ? seconds_between(nearest->stamp_ns, stamp_ns) : INFINITY;
+        frame.odom_from_robot = nearest ? nearest->pose : Pose2{};
     }
-    const std::optional<StampedPose> nearest = odometry_.nearest(stamp_ns);
-    const double gap_s = nearest ? seconds_between(nearest->stamp_ns, stamp_ns) : INFINITY;
-    if (gap_s > max_odometry_gap_s) {
-        report({file_ + ": scan " + std::to_string(summary_.scans) + " has no odometry within " +
-                std::to_string(max_odometry_gap_s) + " s; the nearest is " + std::to_string(gap_s) + " s away"});
+    const bool is_lost = apart_s > max_odometry_gap_s;
+    if (is_lost || was_lost_) {
+        frame.odom_step = OdometryStep::unknown;
+    } else if (last_scan_ns_) {
+        frame.odom_step = gaps_.step(*last_scan_ns_, stamp_ns);
     }
-    return nearest ? nearest->pose : Pose2{};
+    if (is_lost) {
+        lost_.first_scan = lost_.scans == 0 ? released_ : lost_.first_scan;
+        ++lost_.scans;
+        lost_.farthest_s = std::max(lost_.farthest_s, std::isfinite(apart_s) ? apart_s : 0.0);
+    } else {
+        end_lost_part();
+    }
+    was_lost_ = is_lost;
+    last_scan_ns_ = stamp_ns;
+}
+
+void MessageLogStream::end_lost_part() {
+    if (lost_.scans > 0) {
+        report({file_ + ": " + std::to_string(lost_.scans) + " scans from number " + std::to_string(lost_.first_scan) +
+                " on have no odometry within " + fixed_text(max_odometry_gap_s, 1) + " s; it is up to " +
+                fixed_text(lost_.farthest_s, 1) + " s away; the motion there is worked out from the scans"});
+    }
+    lost_ = {};
+}
+
+void MessageLogStream::report_gap(const OdometryGaps::Gap& gap, const McapMessage& message) {
+    const auto is_inside = [&](const WaitingScan& scan) {
+        return gap.from_ns < scan.frame.scan.stamp_ns && scan.frame.scan.stamp_ns < gap.to_ns;
+    };
+    const auto scans = std::ranges::count_if(waiting_, is_inside);
+    if (scans > 0) {
+        report({file_ + ": the odometry " + plan_.odom_topic + " is missing for " +
+                    fixed_text(seconds_between(gap.from_ns, gap.to_ns), 1) + " s near " + message.offset_unit + " " +
+                    std::to_string(message.file_offset) + ", with " + std::to_string(scans) +
+                    " scans; the motion there is worked out from the scans and the poses before and after",
+                message.file_offset});
+    }
 }
 
 void MessageLogStream::report_message(const McapMessage& message, const std::string& what) {
