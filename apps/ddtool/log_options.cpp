@@ -63,7 +63,7 @@ const SettingTable<LogOptions>& log_rows() {
         odometry_row(),
         {"odom_topic", &LogOptions::odom_topic, Allowed::text(), "",
          "Topic of the odometry or transforms to use; found by type where it is empty.", "docs/formats/logs.md"},
-        {"odom_path", &LogOptions::odom_path, Allowed::whole(0, 4), "",
+        {"odom_path", &LogOptions::odom_path, Allowed::whole(0, 16), "",
          "Where several publishers are interleaved in the odometry, the number of the one to use, in the order of "
          "their "
          "first poses; 0 for the one that fits the scans best.",

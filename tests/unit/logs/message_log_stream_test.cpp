@@ -170,7 +170,7 @@ TEST_F(Log, InterleavedPublishersAreToldApartAndOneCanBeNamed) {
         scan(t);
     }
     EXPECT_NEAR(read().at(100).odom_from_robot.x_m, 3.0, 1e-6);
-    EXPECT_THAT(problems_, ElementsAre(HasSubstr("interleaved (paths of 200, 200 poses); path 1 is used")));
+    EXPECT_THAT(problems_, ElementsAre(HasSubstr("interleaved (paths 1 with 200, 2 with 200 poses); path 1 is used")));
     problems_.clear();
     LogOptions options;
     options.odom_path = 2;

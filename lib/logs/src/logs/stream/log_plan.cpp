@@ -279,11 +279,11 @@ private:
             return false;
         }
         if (const std::vector<TrackSurvey> paths = track.paths(); !paths.empty()) {
-            const std::size_t path = chosen_path(paths, name);
+            const std::size_t path = chosen_path(track, paths, name);
             if (!can_be_used(paths[path], name)) {
                 return false;
             }
-            plan_.odom_path = path;
+            plan_.odom_lineage = track.interleaved().lineage(path);
             return true;
         }
         plan_.odom_interval_s = track.usual_interval_s();
@@ -306,13 +306,16 @@ private:
 
     /// Of the paths of several publishers, the one that was asked for, or the one that moves and whose turns fit those
     /// of the scans best, or else the longest.
-    std::size_t chosen_path(const std::vector<TrackSurvey>& paths, const std::string& name) {
+    std::size_t chosen_path(const TrackSurvey& track, const std::vector<TrackSurvey>& paths, const std::string& name) {
         std::string counts;
-        for (const TrackSurvey& path : paths) {
-            counts += (counts.empty() ? "" : ", ") + std::to_string(path.usable());
+        for (std::size_t path = 0; path < paths.size(); ++path) {
+            if (paths[path].usable() >= InterleavedPaths::least_poses) {
+                counts += (counts.empty() ? "" : ", ") + std::to_string(path + 1) + " with " +
+                          std::to_string(paths[path].usable());
+            }
         }
         const std::string found = "the poses of the odometry " + name + " are those of several publishers, which are " +
-                                  "interleaved (paths of " + counts + " poses)";
+                                  "interleaved (paths " + counts + " poses)";
         if (options_.odom_path > paths.size()) {
             throw UsageError(file_ + ": there is no path " + std::to_string(options_.odom_path) + "; " + found);
         }
@@ -320,14 +323,21 @@ private:
             assume(found + "; path " + std::to_string(options_.odom_path) + " is used, as was asked for");
             return options_.odom_path - 1;
         }
-        const auto worth = [&](const TrackSurvey& path) {
+        const auto worth = [&](std::size_t number) {
+            const TrackSurvey& path = paths[number];
             const std::optional<TurnLag> lag = turn_lag(scan_.turns, path.heading(), 0.0);
             // Fits that differ by less than a half are the same, as far as two such paths can be told apart.
-            const double unexplained = lag ? std::round(std::log2(std::max(lag->share, 1e-3))) : 0.0;
-            return std::tuple(path.moves(), -unexplained, path.usable());
+            const double fit = lag ? -std::round(std::log2(std::max(lag->share, 1e-3))) : 0.0;
+            std::size_t poses = 0;
+            for (const std::size_t each : track.interleaved().lineage(number)) {
+                poses += paths[each].usable();
+            }
+            return std::tuple(path.moves(), fit, poses);
         };
-        const auto best = std::ranges::max_element(paths, {}, worth);
-        const auto number = static_cast<std::size_t>(best - paths.begin());
+        std::size_t number = 0;
+        for (std::size_t other = 1; other < paths.size(); ++other) {
+            number = worth(other) > worth(number) ? other : number;
+        }
         blame(found + "; path " + std::to_string(number + 1) + " is used; --odom-path names another");
         return number;
     }

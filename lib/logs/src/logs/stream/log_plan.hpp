@@ -21,8 +21,8 @@ struct LogPlan {
     /// If the odometry comes from transforms: the frames between which the transform is taken.
     std::string odom_frame;
     std::string robot_frame;
-    /// Which of the interleaved paths is used, by its number in InterleavedPaths; empty: there is one path.
-    std::optional<std::size_t> odom_path;
+    /// Which of the interleaved paths is used, as its InterleavedPaths::lineage(); empty: there is one path.
+    std::vector<std::size_t> odom_lineage;
     /// What is added to the stamps of the odometry, because its clock is not that of the scans.
     std::int64_t odom_clock_offset_ns = 0;
     std::optional<OdometryDelay> odom_delay;  ///< as the turns show it, before anything is taken off

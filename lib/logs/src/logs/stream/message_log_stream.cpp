@@ -212,8 +212,14 @@ const Eigen::Isometry3d* MessageLogStream::mounting_of(const std::string& frame_
 }
 
 bool MessageLogStream::is_of_used_path(const PoseReading& reading, const McapMessage& message) {
-    return !plan_.odom_path ||
-           paths_.add({reading.stamp_ns, to_pose2(reading.frame_from_child)}, message.channel->id) == *plan_.odom_path;
+    const std::vector<std::size_t>& lineage = plan_.odom_lineage;
+    if (lineage.empty()) {
+        return true;
+    }
+    const std::size_t path = paths_.add({reading.stamp_ns, to_pose2(reading.frame_from_child)}, message.channel->id);
+    const auto begun = [&](std::size_t each) { return each < paths_.size(); };
+    const auto latest = std::find_if(lineage.rbegin(), lineage.rend(), begun);
+    return latest != lineage.rend() && path == *latest;
 }
 
 bool MessageLogStream::is_odometry(const PoseReading& reading) const {

@@ -19,8 +19,10 @@ void TrackSurvey::add(const PoseReading& reading, std::int64_t recorded_ns, std:
     add(reading, recorded_ns);
     if (reading.has_rotation) {
         const std::size_t path = interleaved_.add({reading.stamp_ns, to_pose2(reading.frame_from_child)}, connection);
-        paths_.resize(std::max(paths_.size(), path + 1));
-        paths_[path].add(reading, recorded_ns);
+        if (path < InterleavedPaths::most_paths) {
+            paths_.resize(std::max(paths_.size(), path + 1));
+            paths_[path].add(reading, recorded_ns);
+        }
     }
 }
 

@@ -30,6 +30,7 @@ public:
     /// The paths of several publishers whose readings are interleaved, by their number in InterleavedPaths; empty where
     /// there is one path.
     [[nodiscard]] std::vector<TrackSurvey> paths() const;
+    [[nodiscard]] const InterleavedPaths& interleaved() const { return interleaved_; }
 
 private:
     void add(const PoseReading& reading, std::int64_t recorded_ns);

@@ -23,7 +23,7 @@ constexpr std::size_t least_turning = 20;
 constexpr double most_sigma_s = 0.015;
 constexpr double most_share = 0.3;
 constexpr double sigmas = 4.0;
-constexpr double least_lag_s = 0.01;
+constexpr double least_lag_s = 0.02;
 /// Errors of neighbouring pairs are not independent, because they share a scan, and a slip of the wheels lasts.
 constexpr double correlation = 2.0;
 constexpr double outlier_sigmas = 3.0;
@@ -214,7 +214,7 @@ std::optional<TurnLag> turn_lag(const ScanTurns& scans, const HeadingTrack& odom
     for (const Pairs& half : {pairs.first(pairs.size() / 2), pairs.subspan(pairs.size() / 2)}) {
         const std::optional<TurnLag> part = LagFit(half, odometry, ahead_s).solve();
         const bool agrees =
-            !part || std::abs(part->late_s - whole->late_s) < std::max(2.0 * least_lag_s, sigmas * part->sigma_s);
+            !part || std::abs(part->late_s - whole->late_s) < std::max(least_lag_s, sigmas * part->sigma_s);
         if (!agrees) {
             return std::nullopt;
         }

@@ -62,7 +62,7 @@ struct TurnLag {
     double scale = 1.0;       ///< the scans' turns divided by the odometry's; negative for a lidar upside down
     double share = 0.0;       ///< of the squares of the scans' turns that the odometry does not explain, at late_s
     std::size_t turning = 0;  ///< pairs of scans that turn
-    /// Whether the lag is sure to differ from 0, by more than 10 ms and four standard deviations.
+    /// Whether the lag is sure to differ from 0, by more than 20 ms and four standard deviations.
     [[nodiscard]] bool is_significant() const;
 };
 
