@@ -14,13 +14,14 @@ using testing::IsEmpty;
 /// Frames at 5 Hz of a robot that drives along x in front of walls that its lidar sees; the odometry may say otherwise.
 class Watched : public testing::Test {
 protected:
-    void frame(double odom_x_m, double true_x_m) {
+    void frame(double odom_x_m, double true_x_m, OdometryStep step = OdometryStep::measured) {
         SensorFrame frame;
         frame.scan.stamp_ns = std::llround(1e9 * now_s_);
         for (int beam = 0; beam < 20; ++beam) {
             frame.scan.ranges_m.push_back(static_cast<float>(20.0 - true_x_m + 0.1 * beam));
         }
         frame.odom_from_robot.x_m = odom_x_m;
+        frame.odom_step = step;
         watch_.add(frame);
         now_s_ += 0.2;
         take();
@@ -80,6 +81,15 @@ TEST_F(Watched, OdometryThatStaysStuckIsSaidAtTheEnd) {
     end();
     EXPECT_EQ(unknown().size(), 20U);
     EXPECT_THAT(findings_, ElementsAre(HasSubstr("stuck from 1.8 s to 5.8 s")));
+}
+
+TEST_F(Watched, OdometryThatStopsBeforeItStartsAgainIsUnknownFromThereOn) {
+    for (int i = 0; i < 20; ++i) {
+        frame(0.1 * (i < 10 ? i : (i < 13 ? 9 : i)), 0.1 * i, i == 13 ? OdometryStep::unknown : OdometryStep::measured);
+    }
+    end();
+    EXPECT_THAT(unknown(), ElementsAre(10, 11, 12, 13));
+    EXPECT_THAT(findings_, IsEmpty()) << "the reset has been said";
 }
 
 TEST_F(Watched, ARobotThatStandsIsBelieved) {

@@ -72,8 +72,15 @@ std::size_t FrameWatch::places_passed(const SensorFrame& frame) {
     return place->passed;
 }
 
-/// The step out of a stuck part may contain what the wheels counted meanwhile, so that it is unknown as well.
+/// The step out of a stuck part may contain what the wheels counted meanwhile, so that it is unknown as well. Where the
+/// odometry starts again, it had already stopped if the view changed while it stood.
 void FrameWatch::move(SensorFrame frame) {
+    const bool has_changed = std::ranges::any_of(places_, [](const Place& place) { return place.passed > 0; });
+    if (frame.odom_step == OdometryStep::unknown && has_changed) {
+        for (SensorFrame& waited : waiting_) {
+            waited.odom_step = OdometryStep::unknown;
+        }
+    }
     release_waiting();
     if (stuck_scans_ > 0) {
         frame.odom_step = OdometryStep::unknown;
