@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <ctime>
 #include <numbers>
@@ -79,6 +80,25 @@ std::string beams_text(const LogUse& use) {
                : std::to_string(use.fewest_beams) + " to " + std::to_string(use.most_beams);
 }
 
+/// "; its stamps are 43 +- 4 ms late (43 ms taken off)".
+std::string delay_text(const LogSummary& summary) {
+    std::string text;
+    if (const auto& delay = summary.odom_delay) {
+        text = "; its stamps are " + fixed(1e3 * std::abs(delay->late_s), 0) + " +- " + fixed(1e3 * delay->sigma_s, 0) +
+               " ms " + (delay->late_s < 0.0 ? "earlier" : "later") + " than the scans', by the turns of both";
+    }
+    if (summary.odom_delay_removed_s != 0.0) {
+        text += "; " + fixed(1e3 * summary.odom_delay_removed_s, 0) + " ms are taken off";
+    }
+    return text;
+}
+
+Json delay_json(const LogSummary& summary) {
+    return {{"late_s", summary.odom_delay ? Json(summary.odom_delay->late_s) : Json()},
+            {"sigma_s", summary.odom_delay ? Json(summary.odom_delay->sigma_s) : Json()},
+            {"removed_s", summary.odom_delay_removed_s}};
+}
+
 std::string use_text(const LogUse& use) {
     std::string text = "scans     " + std::to_string(use.summary.scans) + " of " + beams_text(use) + " beams over " +
                        fixed(degrees_per_rad * use.field_of_view_rad, 1) + " deg" +
@@ -91,7 +111,7 @@ std::string use_text(const LogUse& use) {
         text += "          " + std::to_string(use.stamps_back) + " are stamped before the one before\n";
     }
     if (use.summary.has_odometry) {
-        text += "odometry  " + fixed(use.odometry_m, 1) + " m driven\n";
+        text += "odometry  " + fixed(use.odometry_m, 1) + " m driven" + delay_text(use.summary) + "\n";
     }
     if (use.with_ground_truth > 0) {
         text += "truth     for " + std::to_string(use.with_ground_truth) + " scans\n";
@@ -157,6 +177,7 @@ Json use_json(const std::string& file, const LogUse& use) {
             {"beams", use.beams},
             {"returns", use.returns},
             {"odometry_m", use.odometry_m},
+            {"odom_delay", delay_json(use.summary)},
             {"with_ground_truth", use.with_ground_truth},
             {"robot_from_lasers", use.robot_from_lasers},
             {"assumptions", assumptions(file, use)}};

@@ -24,6 +24,23 @@ SettingRow<LogOptions> laser_pose_row() {
             }};
 }
 
+SettingRow<LogOptions> odom_delay_row() {
+    return {{"odom_delay",
+             Allowed::numbers(1, -1e6, 1e6),
+             "s",
+             "By how much the stamps of the odometry are later than those of the scans; empty for what the log shows, "
+             "0 for no delay.",
+             "docs/formats/logs.md",
+             {}},
+            [](Json& json, const LogOptions& options) {
+                json["odom_delay"] = options.odom_delay_s ? Json{*options.odom_delay_s} : Json::array();
+            },
+            [](const Json& json, LogOptions& options) {
+                const Json& delay = json.at("odom_delay");
+                options.odom_delay_s = delay.empty() ? std::nullopt : std::optional<double>(delay[0]);
+            }};
+}
+
 SettingRow<LogOptions> odometry_row() {
     return {{"odometry",
              Allowed::one_of({"log", "none"}),
@@ -88,6 +105,12 @@ const SettingTable<LogOptions>& log_rows() {
         odometry_row(),
         {"odom_topic", &LogOptions::odom_topic, Allowed::text(), "",
          "Topic of the odometry or transforms to use; found by type where it is empty.", "docs/formats/logs.md"},
+        {"odom_path", &LogOptions::odom_path, Allowed::whole(0, 16), "",
+         "Where several publishers are interleaved in the odometry, the number of the one to use, in the order of "
+         "their "
+         "first poses; 0 for the one that fits the scans best.",
+         "docs/formats/logs.md"},
+        odom_delay_row(),
         {"ground_truth_topic", &LogOptions::ground_truth_topic, Allowed::text(), "",
          "Topic of the true poses; found by name where it is empty.", "docs/formats/logs.md"},
         {"imu_topic", &LogOptions::imu_topic, Allowed::text(), "",
@@ -123,6 +146,10 @@ void append_log_options(std::vector<Option>& options) {
           "none: leave out the log's odometry and work out the motion from the scans", "log|none"},
          {"--odom-topic", SettingPath{"log.odom_topic"},
           "Odometry or transforms to use; found by type where not given"},
+         {"--odom-path", SettingPath{"log.odom_path"},
+          "Where several publishers are interleaved in the odometry, the number of the one to use; 0: the best", "N"},
+         {"--odom-delay", SettingPath{"log.odom_delay"},
+          "By how many seconds the odometry's stamps are later than the scans'; found where not given, 0: none"},
          {"--ground-truth-topic", SettingPath{"log.ground_truth_topic"}, "True poses; found by name where not given"},
          {"--imu-topic", SettingPath{"log.imu_topic"},
           "Inertial sensor to take the turns from; where not given, one that is better than the odometry; none: none"},

@@ -11,6 +11,7 @@ Json log_report(const std::string& file, const LogSummary& log) {
             {"more_scan_topics", log.more_scan_topics},
             {"odom_topic", log.odom_topic},
             {"imu_topic", log.imu_topic},
+            {"odom_delay_removed_s", log.odom_delay_removed_s},
             {"ground_truth_topic", log.ground_truth_topic},
             {"scans", log.scans},
             {"odometry", log.odometry},

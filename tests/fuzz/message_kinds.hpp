@@ -11,7 +11,7 @@ struct MessageType {
 };
 
 /// The kinds of message from which the first byte of an input chooses, for the reader "message".
-inline constexpr std::array<MessageType, 23> message_types{{
+inline constexpr std::array<MessageType, 25> message_types{{
     {"/scan", "cdr", "sensor_msgs/msg/LaserScan"},
     {"/odom", "cdr", "nav_msgs/msg/Odometry"},
     {"/pose", "cdr", "geometry_msgs/msg/PoseStamped"},
@@ -35,6 +35,8 @@ inline constexpr std::array<MessageType, 23> message_types{{
     {"/points", "json", "foxglove.PointCloud"},
     {"/scan", "cdr", "sensor_msgs/msg/MultiEchoLaserScan"},
     {"/scan", "ros1", "sensor_msgs/MultiEchoLaserScan"},
+    {"/twist", "cdr", "geometry_msgs/msg/TwistStamped"},
+    {"/twist", "ros1", "geometry_msgs/TwistStamped"},
 }};
 
 }  // namespace ddtool::fuzz

@@ -21,6 +21,7 @@ void read_message(std::span<const char> content) {
     (void)decode_scan(message);
     (void)decode_cloud(message);
     (void)decode_poses(message);
+    (void)decode_velocity(message);
     if (is_information(channel)) {
         (void)decode_information(message);
     }

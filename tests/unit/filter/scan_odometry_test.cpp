@@ -27,18 +27,44 @@ private:
 std::vector<SensorFrame> without_odometry(std::vector<SensorFrame> frames) {
     for (SensorFrame& frame : frames) {
         frame.odom_from_robot = {};
+        frame.odom_step = OdometryStep::unknown;
     }
     return frames;
 }
 
-std::vector<SensorFrame> with_scan_odometry(const std::vector<SensorFrame>& frames) {
-    Frames source(without_odometry(frames));
+std::vector<SensorFrame> completed(const std::vector<SensorFrame>& frames) {
+    Frames source(frames);
     ScanOdometryStream stream(source, few_particles());
     std::vector<SensorFrame> result;
     while (std::optional<SensorFrame> frame = stream.next()) {
         result.push_back(*std::move(frame));
     }
     return result;
+}
+
+std::vector<SensorFrame> with_scan_odometry(const std::vector<SensorFrame>& frames) {
+    return completed(without_odometry(frames));
+}
+
+/// The drive with true odometry, which is missing for the frames from a third to a half of it, and starts again then at
+/// another pose.
+std::vector<SensorFrame> with_a_hole(OdometryStep step) {
+    std::vector<SensorFrame> frames = room_drive();
+    const std::size_t from = frames.size() / 3;
+    const std::size_t to = frames.size() / 2;
+    for (std::size_t i = 0; i < frames.size(); ++i) {
+        frames[i].odom_from_robot = *frames[i].world_from_robot;
+        if (i >= from && i < to) {
+            frames[i].odom_from_robot = frames[from].odom_from_robot;
+        }
+        if (i >= to) {
+            frames[i].odom_from_robot = Pose2{5.0, -3.0, 2.0} * frames[i].odom_from_robot;
+        }
+        if (i > from && i <= to) {
+            frames[i].odom_step = step;
+        }
+    }
+    return frames;
 }
 
 /// The largest distance between the estimated and the true motion since the first frame.
@@ -56,6 +82,18 @@ TEST(ScanOdometry, FollowsTheRobotThroughARoom) {
     ASSERT_EQ(frames.size(), room_drive().size());
     EXPECT_LT(largest_odometry_error_m(frames), 0.1);
     EXPECT_GT(largest_odometry_error_m(without_odometry(room_drive())), 1.0);
+}
+
+TEST(ScanOdometry, FillsAHoleInTheOdometry) {
+    EXPECT_GT(largest_odometry_error_m(with_a_hole(OdometryStep::unknown)), 1.0);
+    EXPECT_LT(largest_odometry_error_m(completed(with_a_hole(OdometryStep::unknown))), 0.06);
+}
+
+TEST(ScanOdometry, LeavesMeasuredOdometryAsItIsToTheLastBit) {
+    const std::vector<SensorFrame> frames = completed(room_drive());
+    for (std::size_t i = 0; i < frames.size(); ++i) {
+        EXPECT_EQ(frames[i].odom_from_robot, room_drive()[i].odom_from_robot);
+    }
 }
 
 TEST(ScanOdometry, LeavesEverythingElseAsItIs) {

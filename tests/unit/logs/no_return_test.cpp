@@ -90,11 +90,12 @@ struct Lidar {
     double resolution_m = 0.001;
     double reach_m = INFINITY;
     double code_m = 0.0;  ///< read beyond the reach
+    int beams = 360;
 
     [[nodiscard]] LaserScan scan(double x_m, double y_m, double heading_rad) const {
         std::vector<float> ranges;
-        for (int beam = 0; beam < 360; ++beam) {
-            const double angle = heading_rad + beam * std::numbers::pi / 180.0;
+        for (int beam = 0; beam < beams; ++beam) {
+            const double angle = heading_rad + beam * 2.0 * std::numbers::pi / beams;
             const double along = std::abs(((std::cos(angle) > 0.0 ? length_m : 0.0) - x_m) / std::cos(angle));
             const double across = std::abs(((std::sin(angle) > 0.0 ? width_m : 0.0) - y_m) / std::sin(angle));
             const double echo = resolution_m * std::round(std::min(along, across) / resolution_m);
@@ -137,6 +138,22 @@ TEST_P(NoReturnResolution, TheWallsOfACorridorAlongTheWayAreNoCodes) {
         piles.add(lidar.scan(10.0 + 0.2 * i, 1.0, 0.0));
     }
     EXPECT_THAT(values_of(piles.find(false)), IsEmpty());
+}
+
+TEST_P(NoReturnResolution, TheWallsOfANarrowCorridorAreNoCodes) {
+    for (const double beside_m : {0.5, 0.45}) {  // in the middle, where both walls are as far, and beside it
+        const Lidar lidar{.length_m = 60.0,
+                          .width_m = 1.0,
+                          .resolution_m = GetParam(),
+                          .reach_m = 30.0,
+                          .code_m = INFINITY,
+                          .beams = 1440};
+        RangePiles piles;
+        for (int i = 0; i < 400; ++i) {
+            piles.add(lidar.scan(5.0 + 0.1 * std::max(0, i - 100), beside_m, 0.0));
+        }
+        EXPECT_THAT(values_of(piles.find(false)), IsEmpty()) << beside_m;
+    }
 }
 
 TEST_P(NoReturnResolution, AWallBeforeARobotThatStandsIsNoCode) {

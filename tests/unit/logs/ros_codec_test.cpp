@@ -52,9 +52,9 @@ Message filled() {
 template <typename Message>
 class RosCodec : public testing::Test {};
 
-using Messages =
-    testing::Types<RosTFMessage, RosLaserScan, RosMultiEchoLaserScan, RosPointCloud2, RosOdometry, RosPoseStamped,
-                   RosPoseArray, RosPath, RosOccupancyGrid, RosFloat64MultiArray, RosParticleSnapshot>;
+using Messages = testing::Types<RosTFMessage, RosLaserScan, RosMultiEchoLaserScan, RosPointCloud2, RosOdometry,
+                                RosPoseStamped, RosPoseArray, RosPath, RosOccupancyGrid, RosFloat64MultiArray,
+                                RosParticleSnapshot, RosTwistStamped, RosTwistWithCovarianceStamped>;
 TYPED_TEST_SUITE(RosCodec, Messages);
 
 /// Messages have no operator==. Their ROS 1 encodings are compared instead, which contain all fields and no padding.
@@ -118,7 +118,7 @@ TYPED_TEST(RosCodec, CdrOfAnyBytesNeverCrashes) {
 template <typename Message>
 class Ros1Codec : public testing::Test {};
 
-using Ros1Messages = testing::Types<RosTFMessage, RosLaserScan, RosOdometry, RosPoseStamped>;
+using Ros1Messages = testing::Types<RosTFMessage, RosLaserScan, RosOdometry, RosPoseStamped, RosTwistStamped>;
 TYPED_TEST_SUITE(Ros1Codec, Ros1Messages);
 
 TYPED_TEST(Ros1Codec, GoesThereAndBackAndIsRefusedWhereItIsCut) {

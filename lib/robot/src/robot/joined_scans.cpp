@@ -1,5 +1,6 @@
 #include "ddtool/robot/joined_scans.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -14,11 +15,13 @@ double seconds_from(std::int64_t from_ns, std::int64_t to_ns) {
 
 std::optional<SensorFrame> JoinedScans::next() {
     while (std::optional<SensorFrame> frame = source_.next()) {
+        step_ = std::max(step_, frame->odom_step);
         if (!leads(*frame)) {
             const std::size_t lidar = frame->lidar;
             latest_.insert_or_assign(lidar, std::move(*frame));
             continue;
         }
+        frame->odom_step = std::exchange(step_, OdometryStep::measured);
         for (const auto& [lidar, other] : latest_) {
             if (lidar != frame->lidar &&
                 std::abs(seconds_from(other.scan.stamp_ns, frame->scan.stamp_ns)) <= oldest_s) {

@@ -41,6 +41,17 @@ struct LogOptions {
     bool strongest_echo = false;  ///< of a beam with several echoes; false: the first
     double range_max_m = 0.0;     ///< instead of the log's own; 0: the log's own
     bool with_odometry = true;    ///< false: the log's odometry is left out
+    /// Where the odometry of several publishers is interleaved, the number of the one to use, from 1 on in the order of
+    /// their first poses; 0: the one that fits the scans best.
+    std::size_t odom_path = 0;
+    /// By how many seconds the odometry's stamps are later than those of the scans; empty: what the log shows.
+    std::optional<double> odom_delay_s;
+};
+
+/// By how much the stamps of the odometry are later than those of the scans, measured by the turns of both.
+struct OdometryDelay {
+    double late_s = 0.0;
+    double sigma_s = 0.0;  ///< standard deviation
 };
 
 /// What has been found in a log so far; it is complete when the stream has ended.
@@ -52,6 +63,8 @@ struct LogSummary {
     std::vector<std::string> more_scan_topics;  ///< of the other lidars that are used with it
     std::string odom_topic;                     ///< empty: the log has no odometry
     bool has_odometry = true;                   ///< known from the start; false: odom_from_robot is the identity
+    std::optional<OdometryDelay> odom_delay;    ///< empty: it could not be measured
+    double odom_delay_removed_s = 0.0;          ///< what was taken off the odometry's stamps
     std::string imu_topic;                      ///< whose turns replace the odometry's; empty: none
     std::string ground_truth_topic;             ///< empty: the log has no ground truth
     std::size_t scans = 0;                      ///< frames returned by next()

@@ -53,7 +53,10 @@ std::optional<McapMessage> BagReader::interpret(const BagFields& header, std::sp
         return message_of(header, data);
     }
     if (header.opcode() == BagOpcode::connection) {
-        channels_.try_emplace(header.number<std::uint32_t>("conn"), channel_of(header, data));
+        const auto connection = header.number<std::uint32_t>("conn");
+        McapChannel channel = channel_of(header, data);
+        channel.id = static_cast<std::uint16_t>(connection);
+        channels_.try_emplace(connection, std::move(channel));
     }
     return std::nullopt;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "logs/messages/foxglove_json.hpp"
 #include "logs/messages/foxglove_protobuf.hpp"
@@ -18,13 +19,16 @@ struct KnownType {
     MessageKind kind;
 };
 
-constexpr std::array<KnownType, 8> ros_types{{
+constexpr std::array<KnownType, 11> ros_types{{
     {"sensor_msgs/LaserScan", MessageKind::scan},
     {multi_echo_scan, MessageKind::scan},
     {"sensor_msgs/PointCloud2", MessageKind::cloud},
     {"sensor_msgs/Imu", MessageKind::inertial},
     {"nav_msgs/Odometry", MessageKind::odometry},
     {"geometry_msgs/PoseStamped", MessageKind::pose},
+    {"geometry_msgs/PoseWithCovarianceStamped", MessageKind::pose},
+    {"geometry_msgs/TwistStamped", MessageKind::velocity},
+    {"geometry_msgs/TwistWithCovarianceStamped", MessageKind::velocity},
     {"tf2_msgs/TFMessage", MessageKind::transforms},
     {"tf/tfMessage", MessageKind::transforms},
 }};
@@ -157,6 +161,16 @@ std::optional<std::vector<PoseReading>> decode_poses(const McapMessage& message)
 std::optional<ImuReading> decode_imu(const McapMessage& message) {
     std::optional<ImuReading> reading = decode_ros_imu(message.channel->message_encoding, message.data);
     if (!reading || !reading->angular_velocity_rad_per_s.allFinite()) {
+        return std::nullopt;
+    }
+    tidy(reading->frame_id);
+    return reading;
+}
+
+std::optional<VelocityReading> decode_velocity(const McapMessage& message) {
+    std::optional<VelocityReading> reading = decode_ros_velocity(message.channel->message_encoding, message.data);
+    const auto is_speed = [](double speed) { return std::abs(speed) < farthest_m; };  // false for NaN
+    if (!reading || !is_speed(reading->x_m_s) || !is_speed(reading->y_m_s) || !is_speed(reading->turn_rad_s)) {
         return std::nullopt;
     }
     tidy(reading->frame_id);

@@ -14,8 +14,9 @@ enum class MessageKind {
     scan,        ///< sensor_msgs LaserScan and MultiEchoLaserScan, foxglove LaserScan
     cloud,       ///< sensor_msgs PointCloud2, foxglove PointCloud
     odometry,    ///< nav_msgs Odometry
-    pose,        ///< geometry_msgs PoseStamped, foxglove PoseInFrame
+    pose,        ///< geometry_msgs PoseStamped, PoseWithCovarianceStamped, foxglove PoseInFrame
     inertial,    ///< sensor_msgs Imu
+    velocity,    ///< geometry_msgs TwistStamped, TwistWithCovarianceStamped
     transforms,  ///< tf2_msgs TFMessage, foxglove FrameTransform(s)
 };
 
@@ -44,6 +45,9 @@ inline bool has_poses(MessageKind kind) {
 /// Decodes a message of a kind that has poses by the same rules: one reading for odometry and poses, any number for
 /// transforms.
 std::optional<std::vector<PoseReading>> decode_poses(const McapMessage& message);
+
+/// Decodes a message of the kind velocity by the same rules. Returns nullopt for a velocity that is not finite, too.
+std::optional<VelocityReading> decode_velocity(const McapMessage& message);
 
 /// Whether the channel is the simulator's /fisher_information, the Fisher information of each scan about the true pose.
 bool is_information(const McapChannel& channel);

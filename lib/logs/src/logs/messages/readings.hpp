@@ -54,4 +54,13 @@ struct ImuReading {
     Eigen::Vector3d acceleration_m_per_s2 = Eigen::Vector3d::Zero();       ///< in its frame; upwards at rest
 };
 
+/// A velocity as it is in a log.
+struct VelocityReading {
+    std::int64_t stamp_ns = 0;
+    std::string frame_id;  ///< in whose axes the velocity is given: the robot's, or those of a fixed frame
+    double x_m_s = 0.0;
+    double y_m_s = 0.0;
+    double turn_rad_s = 0.0;  ///< counter-clockwise
+};
+
 }  // namespace ddtool

@@ -88,5 +88,6 @@ template std::optional<RosMultiEchoLaserScan> decode_ros1(std::span<const std::b
 template std::optional<RosPointCloud2> decode_ros1(std::span<const std::byte>);
 template std::optional<RosOdometry> decode_ros1(std::span<const std::byte>);
 template std::optional<RosPoseStamped> decode_ros1(std::span<const std::byte>);
+template std::optional<RosTwistStamped> decode_ros1(std::span<const std::byte>);
 
 }  // namespace ddtool

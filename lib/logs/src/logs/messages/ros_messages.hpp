@@ -191,6 +191,23 @@ struct RosPoseWithCovarianceStamped {
     static void fields(auto& message, auto& archive) { archive(message.header, message.pose, message.covariance); }
 };
 
+struct RosTwistStamped {
+    static constexpr const char* type_name = "geometry_msgs/msg/TwistStamped";
+    RosHeader header;
+    RosVector3 linear;   ///< m/s
+    RosVector3 angular;  ///< rad/s
+
+    static void fields(auto& message, auto& archive) { archive(message.header, message.linear, message.angular); }
+};
+
+struct RosTwistWithCovarianceStamped {
+    static constexpr const char* type_name = "geometry_msgs/msg/TwistWithCovarianceStamped";
+    RosTwistStamped twist;
+    std::array<double, 36> covariance{};
+
+    static void fields(auto& message, auto& archive) { archive(message.twist, message.covariance); }
+};
+
 struct RosPoseArray {
     static constexpr const char* type_name = "geometry_msgs/msg/PoseArray";
     RosHeader header;

@@ -134,4 +134,13 @@ std::optional<Poses> decode_ros_poses(MessageKind kind, std::string_view encodin
     }
 }
 
+std::optional<VelocityReading> decode_ros_velocity(std::string_view encoding, std::span<const std::byte> data) {
+    const std::optional<RosTwistStamped> message = decode_ros<RosTwistStamped>(encoding, data);
+    if (!message) {
+        return std::nullopt;
+    }
+    return VelocityReading{message->header.stamp.ns, message->header.frame_id, message->linear.x, message->linear.y,
+                           message->angular.z};
+}
+
 }  // namespace ddtool

@@ -48,6 +48,23 @@ CarmenStream::CarmenStream(const std::filesystem::path& path, LogOptions options
 double CarmenStream::fraction_read() const { return lines_.fraction_read(); }
 
 std::optional<SensorFrame> CarmenStream::next() {
+    std::optional<SensorFrame> frame = watch_.take();
+    for (bool has_more = true; !frame && has_more; frame = watch_.take()) {
+        if (std::optional<SensorFrame> read = next_read()) {
+            watch_.add(*std::move(read));
+        } else {
+            watch_.end();
+            has_more = false;
+        }
+        for (const std::string& finding : watch_.take_findings()) {
+            report({file_ + ": " + finding});
+        }
+    }
+    summary_.scans += frame ? 1 : 0;
+    return frame;
+}
+
+std::optional<SensorFrame> CarmenStream::next_read() {
     std::optional<SensorFrame> frame;
     if (!ahead_.empty()) {
         frame = std::move(ahead_.front());
@@ -59,10 +76,10 @@ std::optional<SensorFrame> CarmenStream::next() {
                 ahead_.push_back(std::move(*following));
             }
         }
-        ++summary_.scans;
         set_no_returns(frame->scan);
         if (!summary_.has_odometry) {
             frame->odom_from_robot = {};
+            frame->odom_step = OdometryStep::unknown;
         }
         time_beams(*frame);
     }
@@ -186,6 +203,7 @@ std::optional<SensorFrame> CarmenStream::take_scan(const std::string& name, std:
     frame.robot_from_laser = robot_from_laser(*message);
     frame.odom_from_robot = resets_.follow({message->scan.stamp_ns, message->odom_from_robot});
     if (const auto& jump = resets_.last_jump()) {
+        frame.odom_step = jump->is_bridged ? OdometryStep::measured : OdometryStep::unknown;
         report({file_ + ":" + std::to_string(lines_.line_number()) + ": the odometry " + OdometryResets::text(*jump)});
     }
     frame.scan = std::move(message->scan);

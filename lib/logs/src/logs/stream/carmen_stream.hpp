@@ -10,6 +10,7 @@
 #include "ddtool/logs/log_stream.hpp"
 #include "logs/containers/line_reader.hpp"
 #include "logs/messages/carmen_message.hpp"
+#include "logs/stream/frame_watch.hpp"
 #include "logs/stream/no_return.hpp"
 #include "logs/stream/odometry_resets.hpp"
 #include "logs/stream/sweep_timer.hpp"
@@ -35,6 +36,7 @@ private:
     void note_assumptions();
     void find_sweep(const ScanRate& rate);
     void time_beams(SensorFrame& frame);
+    std::optional<SensorFrame> next_read();
     std::optional<SensorFrame> read_frame();
     std::optional<SensorFrame> take_line(std::string_view line);
     std::optional<SensorFrame> take_scan(const std::string& name, std::string_view words);
@@ -48,6 +50,7 @@ private:
     LineReader lines_;
     std::deque<SensorFrame> ahead_;
     OdometryResets resets_;
+    FrameWatch watch_;
     std::optional<Pose2> mounting_;      ///< PARAM robot_frontlaser_*
     std::optional<double> range_max_m_;  ///< PARAM robot_front_laser_max
     NoReturns no_returns_;

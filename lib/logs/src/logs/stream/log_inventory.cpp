@@ -31,6 +31,8 @@ std::vector<std::string> frames_of(const McapMessage& message, MessageKind kind)
     std::vector<std::string> frames;
     if (kind == MessageKind::scan) {
         frames.push_back(decode_scan(message).value_or(ScanReading{}).frame_id);
+    } else if (kind == MessageKind::velocity) {
+        frames.push_back(decode_velocity(message).value_or(VelocityReading{}).frame_id);
     } else if (kind == MessageKind::inertial) {
         frames.push_back(decode_imu(message).value_or(ImuReading{}).frame_id);
     } else if (kind == MessageKind::cloud) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 #include <set>
+#include <tuple>
 #include <utility>
 
 #include "base/text.hpp"
@@ -251,7 +252,15 @@ private:
         const Topics transforms = topics_where(survey_, [](const TopicSurvey& topic) {
             return topic.kind == MessageKind::transforms && !names_static(topic.topic);
         });
-        for (Topics topics : {odometry, poses, of_this_robot(transforms)}) {
+        // What filters and wheel drivers publish under any name comes last; what is sent to the robot is none of it.
+        const Topics estimates = odometry_candidates([](const TopicSurvey& topic) {
+            return topic.kind == MessageKind::pose && topic.type.ends_with("/PoseWithCovarianceStamped") &&
+                   !names_no_measurement(topic.topic);
+        });
+        const Topics velocities = odometry_candidates([](const TopicSurvey& topic) {
+            return topic.kind == MessageKind::velocity && !names_no_measurement(topic.topic);
+        });
+        for (Topics topics : {odometry, poses, of_this_robot(transforms), estimates, velocities}) {
             while (!topics.empty()) {
                 const TopicSurvey topic = plainest(topics, "odometry");
                 if (use_odometry(topic)) {
@@ -307,19 +316,84 @@ private:
             blame("the odometry " + name + " is not used: it never moves, although the scans do");
             return false;
         }
-        const double ahead_s = ClockLag::offset_s(scan_.clock, track.clock()).value_or(0.0);
-        const bool is_another_clock = std::abs(ahead_s) > least_clock_offset_s;
-        if (!ClockLag::overlap(track.clock(), scan_.clock, is_another_clock ? -ahead_s : 0.0) && track.usable() > 1) {
+        if (const std::vector<TrackSurvey> paths = track.paths(); !paths.empty()) {
+            const std::size_t path = chosen_path(track, paths, name);
+            if (!can_be_used(paths[path], name)) {
+                return false;
+            }
+            plan_.odom_lineage = track.interleaved().lineage(path);
+            return true;
+        }
+        plan_.odom_interval_s = track.usual_interval_s();
+        const double found_s = ClockLag::offset_s(scan_.clock, track.clock()).value_or(0.0);
+        const bool is_another_clock = !options_.odom_delay_s && std::abs(found_s) > least_clock_offset_s;
+        const double ahead_s = options_.odom_delay_s.value_or(is_another_clock ? found_s : 0.0);
+        if (!ClockLag::overlap(track.clock(), scan_.clock, -ahead_s) && track.usable() > 1) {
             blame("the odometry " + name + " is not used: its stamps share no moment with those of the scans");
             return false;
         }
+        plan_.odom_clock_offset_ns = std::llround(-1e9 * ahead_s);
         if (is_another_clock) {
-            plan_.odom_clock_offset_ns = std::llround(-1e9 * ahead_s);
             assume("the clock of the odometry " + name + " is " + fixed_text(std::abs(ahead_s), 3) + " s " +
                    (ahead_s > 0.0 ? "ahead of" : "behind") +
                    " that of the scans, as the times of recording show; this is taken off its stamps");
         }
+        find_delay(track, name, ahead_s);
         return true;
+    }
+
+    /// Of the paths of several publishers, the one that was asked for, or the one that moves and whose turns fit those
+    /// of the scans best, or else the longest.
+    std::size_t chosen_path(const TrackSurvey& track, const std::vector<TrackSurvey>& paths, const std::string& name) {
+        std::string counts;
+        for (std::size_t path = 0; path < paths.size(); ++path) {
+            if (paths[path].usable() >= InterleavedPaths::least_poses) {
+                counts += (counts.empty() ? "" : ", ") + std::to_string(path + 1) + " with " +
+                          std::to_string(paths[path].usable());
+            }
+        }
+        const std::string found = "the poses of the odometry " + name + " are those of several publishers, which are " +
+                                  "interleaved (paths " + counts + " poses)";
+        if (options_.odom_path > paths.size()) {
+            throw UsageError(file_ + ": there is no path " + std::to_string(options_.odom_path) + "; " + found);
+        }
+        if (options_.odom_path > 0) {
+            assume(found + "; path " + std::to_string(options_.odom_path) + " is used, as was asked for");
+            return options_.odom_path - 1;
+        }
+        const auto worth = [&](std::size_t number) {
+            const TrackSurvey& path = paths[number];
+            const std::optional<TurnLag> lag = turn_lag(scan_.turns, path.heading(), 0.0);
+            // Fits that differ by less than a half are the same, as far as two such paths can be told apart.
+            const double fit = lag ? -std::round(std::log2(std::max(lag->share, 1e-3))) : 0.0;
+            std::size_t poses = 0;
+            for (const std::size_t each : track.interleaved().lineage(number)) {
+                poses += paths[each].usable();
+            }
+            return std::tuple(path.moves(), fit, poses);
+        };
+        std::size_t number = 0;
+        for (std::size_t other = 1; other < paths.size(); ++other) {
+            number = worth(other) > worth(number) ? other : number;
+        }
+        blame(found + "; path " + std::to_string(number + 1) + " is used; --odom-path names another");
+        return number;
+    }
+
+    /// Measures by how much the odometry is late by the turns, and takes it off where that is sure.
+    void find_delay(const TrackSurvey& track, const std::string& name, double ahead_s) {
+        const std::optional<TurnLag> lag = turn_lag(scan_.turns, track.heading(), ahead_s);
+        if (!lag) {
+            return;
+        }
+        plan_.odom_delay = {ahead_s + lag->late_s, lag->sigma_s};
+        if (lag->is_significant() && !options_.odom_delay_s) {
+            plan_.odom_clock_offset_ns = std::llround(-1e9 * (ahead_s + lag->late_s));
+            assume("the stamps of the odometry " + name + " are " + fixed_text(1e3 * std::abs(lag->late_s), 0) +
+                   " ms (+- " + fixed_text(1e3 * lag->sigma_s, 0) + ") " + (lag->late_s > 0.0 ? "late" : "early") +
+                   " against those of the scans, as the turns of both show; this is taken off; --odom-delay names "
+                   "another delay, --odom-delay 0 none");
+        }
     }
 
     /// Takes the odometry from transforms: odom_from_robot, where odom is the frame that has such a name, or otherwise

@@ -33,8 +33,12 @@ struct LogPlan {
     /// If the odometry comes from transforms: the frames between which the transform is taken.
     std::string odom_frame;
     std::string robot_frame;
+    /// Which of the interleaved paths is used, as its InterleavedPaths::lineage(); empty: there is one path.
+    std::vector<std::size_t> odom_lineage;
     /// What is added to the stamps of the odometry, because its clock is not that of the scans.
     std::int64_t odom_clock_offset_ns = 0;
+    std::optional<OdometryDelay> odom_delay;  ///< as the turns show it, before anything is taken off
+    double odom_interval_s = 0.0;             ///< the usual time between two poses of the odometry; 0: unknown
     /// Where the lasers are on the robot, by the frame of their scans.
     std::map<std::string, Eigen::Isometry3d> robot_from_laser;
     /// For scans in frames without an entry there; empty: such scans cannot be used.

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "logs/stream/cloud_scan.hpp"
+#include "logs/stream/pose_reader.hpp"
 #include "logs/stream/topic_names.hpp"
 
 namespace ddtool {
@@ -87,6 +88,9 @@ private:
         if (frames.size() < TopicSurvey::max_frames && std::ranges::count(frames, frame_id) == 0) {
             frames.push_back(frame_id);
         }
+        if (reading->frame_id == frames.front()) {
+            topic.turns.add(reading->scan);
+        }
     }
     static void note_rates(const McapMessage& message, TopicSurvey& topic) {
         if (const std::optional<ImuReading> reading = decode_imu(message)) {
@@ -111,16 +115,16 @@ private:
         note_frame(reading->frame_id, topic);
     }
     void note_poses(const McapMessage& message, TopicSurvey& topic) {
-        for (const PoseReading& reading : decode_poses(message).value_or(std::vector<PoseReading>{})) {
+        for (const PoseReading& reading : readers_[topic.topic].read(message).value_or(std::vector<PoseReading>{})) {
             const FramePair frames{reading.frame_id, reading.child_frame_id};
             if (topic.kind != MessageKind::transforms) {
                 // One track for the topic, whose messages may name the frames differently.
                 (topic.tracks.empty() ? topic.tracks[frames] : topic.tracks.begin()->second)
-                    .add(reading, message.log_time_ns);
+                    .add(reading, message.log_time_ns, message.channel->id);
                 continue;
             }
             if (topic.tracks.size() < TopicSurvey::max_frames || topic.tracks.contains(frames)) {
-                topic.tracks[frames].add(reading, message.log_time_ns);
+                topic.tracks[frames].add(reading, message.log_time_ns, message.channel->id);
             }
             transforms_[transform_namespace(topic.topic)].set(reading);
         }
@@ -130,6 +134,7 @@ private:
     std::optional<std::int64_t> first_ns_;
     double extent_ns_ = 0.0;
     std::map<std::string, TopicSurvey> topics_;
+    std::map<std::string, PoseReader> readers_;  ///< by topic
     std::map<std::string, TransformTree> transforms_;
     bool has_information_ = false;
     std::size_t cloud_bytes_ = 0;

@@ -15,6 +15,7 @@
 #include "logs/stream/scan_rate.hpp"
 #include "logs/stream/track_survey.hpp"
 #include "logs/stream/transform_tree.hpp"
+#include "logs/stream/turn_lag.hpp"
 
 namespace ddtool {
 
@@ -33,6 +34,7 @@ struct TopicSurvey {
     ClockLag clock;                           ///< of all scans or clouds
     ScanRate rate;                            ///< of all scans
     GyroSurvey gyro;                          ///< of inertial messages
+    ScanTurns turns;                          ///< of the scans in the first of the frames
     std::map<FramePair, TrackSurvey> tracks;  ///< of odometry, poses and transforms
 };
 

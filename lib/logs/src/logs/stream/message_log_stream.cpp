@@ -43,6 +43,7 @@ MessageLogStream::MessageLogStream(const OpenSource& open, Opening opening, std:
         survey_once(open, options);
         sweep_timers_ = timers_of(plan_);
     }
+    gaps_ = OdometryGaps(plan_.odom_interval_s);
     summary_.format = std::move(format);
     for (const LidarPlan& lidar : plan_.lidars) {
         if (&lidar == &plan_.lidars.front()) {
@@ -53,6 +54,8 @@ MessageLogStream::MessageLogStream(const OpenSource& open, Opening opening, std:
     }
     summary_.odom_topic = plan_.odom_topic;
     summary_.has_odometry = !plan_.odom_topic.empty();
+    summary_.odom_delay = plan_.odom_delay;
+    summary_.odom_delay_removed_s = -1e-9 * static_cast<double>(plan_.odom_clock_offset_ns);
     summary_.ground_truth_topic = plan_.ground_truth_topic;
     summary_.assumptions.insert(summary_.assumptions.begin(), plan_.assumptions.begin(), plan_.assumptions.end());
     for (const std::string& fault : plan_.faults) {
@@ -105,6 +108,24 @@ void MessageLogStream::survey_once(const OpenSource& open, const LogOptions& opt
 }
 
 std::optional<SensorFrame> MessageLogStream::next() {
+    std::optional<SensorFrame> frame = watch_.take();
+    for (bool has_more = true; !frame && has_more; frame = watch_.take()) {
+        if (std::optional<SensorFrame> read = read_frame()) {
+            watch_.add(*std::move(read));
+        } else {
+            watch_.end();
+            end_lost_part();
+            has_more = false;
+        }
+        for (const std::string& finding : watch_.take_findings()) {
+            report({file_ + ": " + finding});
+        }
+    }
+    summary_.scans += frame ? 1 : 0;
+    return frame;
+}
+
+std::optional<SensorFrame> MessageLogStream::read_frame() {
     while (!ended_ && !first_is_ready()) {
         if (const std::optional<McapMessage> message = source_->next()) {
             take(*message);
@@ -133,9 +154,6 @@ void MessageLogStream::take(const McapMessage& message) {
     const MessageKind kind = kind_of(*message.channel);
     if (kind == MessageKind::inertial && topic == plan_.imu_topic) {
         take_rates(message);
-    }
-    if (kind != MessageKind::scan && !has_poses(kind)) {
-        return;
     }
     if (kind == MessageKind::scan || kind == MessageKind::cloud) {
         const auto lidar = std::ranges::find(plan_.lidars, topic, &LidarPlan::topic);
@@ -207,25 +225,32 @@ void MessageLogStream::wait(SensorFrame frame) {
 }
 
 void MessageLogStream::take_odometry(const McapMessage& message) {
-    const auto readings = decode_poses(message);
+    const auto readings = odometry_reader_.read(message);
     if (!readings) {
         report_message(message, "a damaged message");
         return;
     }
     for (const PoseReading& reading : *readings) {
-        if (is_odometry(reading) && has_rotation(reading, message)) {
+        if (is_odometry(reading) && has_rotation(reading, message) && is_of_used_path(reading, message)) {
             ++summary_.odometry;
             const std::int64_t stamp_ns = moved(reading.stamp_ns, plan_.odom_clock_offset_ns);
-            const Pose2 odom_from_robot = resets_.follow({stamp_ns, to_pose2(reading.frame_from_child)});
+            const StampedPose odom_from_robot{stamp_ns, resets_.follow({stamp_ns, to_pose2(reading.frame_from_child)})};
+            const auto gap = gaps_.add(odom_from_robot);
             if (const auto& jump = resets_.last_jump()) {
+                if (!jump->is_bridged) {
+                    gaps_.add_unknown(*last_odometry_ns_, stamp_ns);
+                }
                 report({file_ + ": the odometry " + plan_.odom_topic + " " + OdometryResets::text(*jump) + " (near " +
                             message.offset_unit + " " + std::to_string(message.file_offset) + ")",
                         message.file_offset});
+            } else if (gap) {
+                report_gap(*gap, message);
             }
+            last_odometry_ns_ = stamp_ns;
             if (plan_.imu_topic.empty()) {
-                add_odometry({stamp_ns, odom_from_robot});
+                add_odometry(odom_from_robot);
             } else {
-                gyro_odometry_.add_pose({stamp_ns, odom_from_robot});
+                gyro_odometry_.add_pose(odom_from_robot);
                 release_odometry(false);
             }
         }
@@ -343,6 +368,17 @@ const Eigen::Isometry3d* MessageLogStream::mounting_of(const std::string& frame_
     return nullptr;
 }
 
+bool MessageLogStream::is_of_used_path(const PoseReading& reading, const McapMessage& message) {
+    const std::vector<std::size_t>& lineage = plan_.odom_lineage;
+    if (lineage.empty()) {
+        return true;
+    }
+    const std::size_t path = paths_.add({reading.stamp_ns, to_pose2(reading.frame_from_child)}, message.channel->id);
+    const auto begun = [&](std::size_t each) { return each < paths_.size(); };
+    const auto latest = std::find_if(lineage.rbegin(), lineage.rend(), begun);
+    return latest != lineage.rend() && path == *latest;
+}
+
 bool MessageLogStream::is_odometry(const PoseReading& reading) const {
     return plan_.odom_frame.empty() ||
            (reading.frame_id == plan_.odom_frame && reading.child_frame_id == plan_.robot_frame);
@@ -360,8 +396,7 @@ SensorFrame MessageLogStream::release_first() {
     if (truth_ && scan.information) {
         truth_->add(frame.scan.stamp_ns, *scan.information);
     }
-    ++summary_.scans;
-    frame.odom_from_robot = odometry_at(frame.scan.stamp_ns);
+    take_odometry_at(frame);
     frame.world_from_robot = ground_truth_.at(frame.scan.stamp_ns);
     time_beams(frame);
     return std::move(scan.frame);
@@ -382,20 +417,59 @@ void MessageLogStream::time_beams(SensorFrame& frame) {
     }
 }
 
-Pose2 MessageLogStream::odometry_at(std::int64_t stamp_ns) {
+void MessageLogStream::take_odometry_at(SensorFrame& frame) {
+    ++released_;
     if (plan_.odom_topic.empty()) {
-        return {};
+        frame.odom_step = OdometryStep::unknown;
+        return;
     }
+    const std::int64_t stamp_ns = frame.scan.stamp_ns;
+    double apart_s = 0.0;
     if (const std::optional<Pose2> pose = odometry_.at(stamp_ns)) {
-        return *pose;
+        frame.odom_from_robot = *pose;
+    } else {
+        const std::optional<StampedPose> nearest = odometry_.nearest(stamp_ns);
+        apart_s = nearest ? seconds_between(nearest->stamp_ns, stamp_ns) : INFINITY;
+        frame.odom_from_robot = nearest ? nearest->pose : Pose2{};
     }
-    const std::optional<StampedPose> nearest = odometry_.nearest(stamp_ns);
-    const double gap_s = nearest ? seconds_between(nearest->stamp_ns, stamp_ns) : INFINITY;
-    if (gap_s > max_odometry_gap_s) {
-        report({file_ + ": scan " + std::to_string(summary_.scans) + " has no odometry within " +
-                std::to_string(max_odometry_gap_s) + " s; the nearest is " + std::to_string(gap_s) + " s away"});
+    const bool is_lost = apart_s > max_odometry_gap_s;
+    if (is_lost || was_lost_) {
+        frame.odom_step = OdometryStep::unknown;
+    } else if (last_scan_ns_) {
+        frame.odom_step = gaps_.step(*last_scan_ns_, stamp_ns);
     }
-    return nearest ? nearest->pose : Pose2{};
+    if (is_lost) {
+        lost_.first_scan = lost_.scans == 0 ? released_ : lost_.first_scan;
+        ++lost_.scans;
+        lost_.farthest_s = std::max(lost_.farthest_s, std::isfinite(apart_s) ? apart_s : 0.0);
+    } else {
+        end_lost_part();
+    }
+    was_lost_ = is_lost;
+    last_scan_ns_ = stamp_ns;
+}
+
+void MessageLogStream::end_lost_part() {
+    if (lost_.scans > 0) {
+        report({file_ + ": " + std::to_string(lost_.scans) + " scans from number " + std::to_string(lost_.first_scan) +
+                " on have no odometry within " + fixed_text(max_odometry_gap_s, 1) + " s; it is up to " +
+                fixed_text(lost_.farthest_s, 1) + " s away; the motion there is worked out from the scans"});
+    }
+    lost_ = {};
+}
+
+void MessageLogStream::report_gap(const OdometryGaps::Gap& gap, const McapMessage& message) {
+    const auto is_inside = [&](const WaitingScan& scan) {
+        return gap.from_ns < scan.frame.scan.stamp_ns && scan.frame.scan.stamp_ns < gap.to_ns;
+    };
+    const auto scans = std::ranges::count_if(waiting_, is_inside);
+    if (scans > 0) {
+        report({file_ + ": the odometry " + plan_.odom_topic + " is missing for " +
+                    fixed_text(seconds_between(gap.from_ns, gap.to_ns), 1) + " s near " + message.offset_unit + " " +
+                    std::to_string(message.file_offset) + ", with " + std::to_string(scans) +
+                    " scans; the motion there is worked out from the scans and the poses before and after",
+                message.file_offset});
+    }
 }
 
 void MessageLogStream::report_message(const McapMessage& message, const std::string& what) {

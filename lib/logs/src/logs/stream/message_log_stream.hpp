@@ -10,10 +10,14 @@
 #include "ddtool/logs/log_stream.hpp"
 #include "ddtool/robot/scan_truth.hpp"
 #include "logs/containers/message_source.hpp"
+#include "logs/stream/frame_watch.hpp"
 #include "logs/stream/gyro_odometry.hpp"
 #include "logs/stream/gyro_trial.hpp"
+#include "logs/stream/interleaved_paths.hpp"
 #include "logs/stream/log_plan.hpp"
+#include "logs/stream/odometry_gaps.hpp"
 #include "logs/stream/odometry_resets.hpp"
+#include "logs/stream/pose_reader.hpp"
 #include "logs/stream/pose_track.hpp"
 
 namespace ddtool {
@@ -23,15 +27,15 @@ namespace ddtool {
 /// measured. If the log can be opened only once, this is done with its beginning,
 /// which is kept in memory meanwhile. A scan waits
 /// until an odometry message after it in the file reaches its last beam (and a ground truth message its stamp), and
-/// then gets the interpolated poses. If no interval contains its stamp (at the ends of the log, and in gaps), it gets
-/// the nearest odometry, and no ground truth.
+/// then gets the interpolated poses. If no interval contains its stamp (at the ends of the log), it gets the nearest
+/// odometry, and no ground truth. What the odometry says of the motion before each frame is in its odom_step.
 class MessageLogStream : public LogStream {
 public:
     /// The number of scans that may wait at a time. If there are more, the first one is returned without waiting
     /// longer.
     static constexpr std::size_t max_waiting = 256;
-    /// If the nearest odometry is further away in time than this, it is reported as a problem.
-    static constexpr double max_odometry_gap_s = 0.5;
+    /// If the nearest odometry is further away in time than this, a scan has none.
+    static constexpr double max_odometry_gap_s = OdometryGaps::least_gap_s;
     /// So many scans at most are looked at before the first frame.
     static constexpr std::size_t most_rehearsed = 5000;
 
@@ -58,6 +62,13 @@ private:
         bool has_odometry = false;
         bool has_ground_truth = false;
         bool has_information = false;
+    };
+
+    /// Consecutive scans that have no odometry.
+    struct LostPart {
+        std::size_t first_scan = 0;
+        std::size_t scans = 0;
+        double farthest_s = 0.0;
     };
 
     /// For a rehearsal.
@@ -87,24 +98,38 @@ private:
     bool has_rotation(const PoseReading& reading, const McapMessage& message);
     /// Null if the frame of the message has no known place on the robot, which is then reported.
     const Eigen::Isometry3d* mounting_of(const std::string& frame_id, const McapMessage& message);
+    /// Whether the reading of the odometry's frames is from the publisher that is used.
+    [[nodiscard]] bool is_of_used_path(const PoseReading& reading, const McapMessage& message);
     [[nodiscard]] bool is_odometry(const PoseReading& reading) const;
     [[nodiscard]] bool first_is_ready() const;
+    std::optional<SensorFrame> read_frame();
     SensorFrame release_first();
-    [[nodiscard]] Pose2 odometry_at(std::int64_t stamp_ns);
     void time_beams(SensorFrame& frame);
+    void take_odometry_at(SensorFrame& frame);
+    void end_lost_part();
+    void report_gap(const OdometryGaps::Gap& gap, const McapMessage& message);
     void report_message(const McapMessage& message, const std::string& what);
 
     std::string file_;
     LogPlan plan_;
     std::unique_ptr<MessageSource> source_;
     std::deque<WaitingScan> waiting_;
+    PoseReader odometry_reader_;
+    InterleavedPaths paths_;
     std::vector<SweepTimer> sweep_timers_;  ///< of each lidar
     OdometryResets resets_;
     GyroOdometry gyro_odometry_;
     GyroTrial gyro_trial_;
     bool gyro_is_judged_ = false;
     bool is_read_once_ = false;
+    OdometryGaps gaps_;
     PoseTrack odometry_;
+    std::optional<std::int64_t> last_odometry_ns_;
+    std::optional<std::int64_t> last_scan_ns_;  ///< of the last frame released
+    std::size_t released_ = 0;                  ///< frames
+    LostPart lost_;
+    bool was_lost_ = false;  ///< whether the last frame released had no odometry
+    FrameWatch watch_;
     PoseTrack ground_truth_;
     std::shared_ptr<ScanTruth> truth_;
     bool ended_ = false;

@@ -11,6 +11,18 @@ constexpr std::size_t least_changed = 3;
 
 }  // namespace
 
+bool is_another_view(const std::vector<float>& before_m, const std::vector<float>& after_m) {
+    std::size_t compared = 0;
+    std::size_t changed = 0;
+    for (std::size_t beam = 0; beam < before_m.size() && before_m.size() == after_m.size(); ++beam) {
+        if (std::isfinite(before_m[beam]) && std::isfinite(after_m[beam])) {
+            ++compared;
+            changed += std::abs(before_m[beam] - after_m[beam]) > other_range_m ? 1 : 0;
+        }
+    }
+    return compared > 0 && 2 * changed >= compared;
+}
+
 void ScanChange::add(const LaserScan& scan) {
     if (moves() || scan.ranges_m.empty()) {
         return;
@@ -19,15 +31,7 @@ void ScanChange::add(const LaserScan& scan) {
         first_m_ = scan.ranges_m;
         return;
     }
-    std::size_t compared = 0;
-    std::size_t changed = 0;
-    for (std::size_t beam = 0; beam < first_m_.size(); ++beam) {
-        if (std::isfinite(first_m_[beam]) && std::isfinite(scan.ranges_m[beam])) {
-            ++compared;
-            changed += std::abs(first_m_[beam] - scan.ranges_m[beam]) > other_range_m ? 1 : 0;
-        }
-    }
-    changed_ += compared > 0 && 2 * changed >= compared ? 1 : 0;
+    changed_ += is_another_view(first_m_, scan.ranges_m) ? 1 : 0;
 }
 
 bool ScanChange::moves() const { return changed_ >= least_changed; }

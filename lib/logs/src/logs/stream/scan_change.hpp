@@ -7,6 +7,10 @@
 
 namespace ddtool {
 
+/// Whether at least half of the beams that have a range in both scans differ by more than 15 cm; false where the scans
+/// have not the same number of beams.
+bool is_another_view(const std::vector<float>& before_m, const std::vector<float>& after_m);
+
 /// Tells whether the lidar moved in a log: in several scans, at least half of the beams read another range than in the
 /// first scan. People who walk past a robot that stands change fewer.
 class ScanChange {

@@ -1,6 +1,7 @@
 #include "logs/stream/topic_names.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <functional>
 #include <string_view>
@@ -42,6 +43,12 @@ bool names_ground_truth(const std::string& name) {
 
 bool names_odometry(const std::string& name) {
     return any_word(name, [](const std::string& word) { return word.starts_with("odom"); });
+}
+
+bool names_no_measurement(const std::string& name) {
+    constexpr std::array<std::string_view, 11> others{"cmd",      "command", "teleop",      "joy",  "goal", "target",
+                                                      "setpoint", "desired", "initialpose", "amcl", "map"};
+    return any_word(name, [&](const std::string& word) { return std::ranges::count(others, word) > 0; });
 }
 
 bool names_static(const std::string& name) {

@@ -13,6 +13,10 @@ namespace ddtool {
 bool names_ground_truth(const std::string& name);
 /// Whether the name has a word that begins with "odom".
 bool names_odometry(const std::string& name);
+/// Whether the name is that of what is asked of the robot or told to it, or of a pose in a map, none of which is
+/// odometry: it has one of the words cmd, command, teleop, joy, goal, target, setpoint, desired, initialpose, amcl,
+/// map.
+bool names_no_measurement(const std::string& name);
 /// Whether the name has the word "static".
 bool names_static(const std::string& name);
 /// Whether the name is that of a frame that does not move with the robot: odom, map, world or earth.

@@ -1,5 +1,6 @@
 #include "logs/stream/track_survey.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "ddtool/robot/pose2.hpp"
@@ -10,8 +11,24 @@ namespace {
 
 constexpr double moved_m = 0.02;
 constexpr double moved_rad = 0.02;
+constexpr std::size_t most_intervals = 1000;
 
 }  // namespace
+
+void TrackSurvey::add(const PoseReading& reading, std::int64_t recorded_ns, std::uint16_t connection) {
+    add(reading, recorded_ns);
+    if (reading.has_rotation) {
+        const std::size_t path = interleaved_.add({reading.stamp_ns, to_pose2(reading.frame_from_child)}, connection);
+        if (path < InterleavedPaths::most_paths) {
+            paths_.resize(std::max(paths_.size(), path + 1));
+            paths_[path].add(reading, recorded_ns);
+        }
+    }
+}
+
+std::vector<TrackSurvey> TrackSurvey::paths() const {
+    return interleaved_.are_interleaved() ? paths_ : std::vector<TrackSurvey>{};
+}
 
 void TrackSurvey::add(const PoseReading& reading, std::int64_t recorded_ns) {
     if (!reading.has_rotation) {
@@ -20,9 +37,21 @@ void TrackSurvey::add(const PoseReading& reading, std::int64_t recorded_ns) {
     }
     ++usable_;
     clock_.add(reading.stamp_ns, recorded_ns);
+    if (last_ns_ && intervals_s_.size() < most_intervals) {
+        intervals_s_.push_back(1e-9 * (static_cast<double>(reading.stamp_ns) - static_cast<double>(*last_ns_)));
+    }
+    last_ns_ = reading.stamp_ns;
     first_ = first_.value_or(reading.frame_from_child);
+    heading_.add(reading.stamp_ns, to_pose2(reading.frame_from_child).theta_rad);
     const Pose2 moved = to_pose2(first_->inverse() * reading.frame_from_child);
     moves_ = moves_ || std::hypot(moved.x_m, moved.y_m) > moved_m || std::abs(moved.theta_rad) > moved_rad;
+}
+
+double TrackSurvey::usual_interval_s() const {
+    std::vector<double> sorted = intervals_s_;
+    const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
+    std::ranges::nth_element(sorted, middle);
+    return sorted.empty() ? 0.0 : std::max(*middle, 0.0);
 }
 
 }  // namespace ddtool

@@ -3,16 +3,20 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "logs/messages/readings.hpp"
 #include "logs/stream/clock_lag.hpp"
+#include "logs/stream/interleaved_paths.hpp"
+#include "logs/stream/turn_lag.hpp"
 
 namespace ddtool {
 
 /// What a log holds of one moving frame: an odometry topic, or the transforms between two frames.
 class TrackSurvey {
 public:
-    void add(const PoseReading& reading, std::int64_t recorded_ns);
+    /// \param connection that the reading came by, where the log has connections
+    void add(const PoseReading& reading, std::int64_t recorded_ns, std::uint16_t connection);
 
     /// Readings with a rotation; the others cannot be used.
     [[nodiscard]] std::size_t usable() const { return usable_; }
@@ -20,13 +24,27 @@ public:
     /// Whether a pose is farther from the first one than 2 cm or 0.02 rad.
     [[nodiscard]] bool moves() const { return moves_; }
     [[nodiscard]] const ClockLag& clock() const { return clock_; }
+    [[nodiscard]] const HeadingTrack& heading() const { return heading_; }
+    /// The median time between the first thousand readings; 0 if there are fewer than two.
+    [[nodiscard]] double usual_interval_s() const;
+    /// The paths of several publishers whose readings are interleaved, by their number in InterleavedPaths; empty where
+    /// there is one path.
+    [[nodiscard]] std::vector<TrackSurvey> paths() const;
+    [[nodiscard]] const InterleavedPaths& interleaved() const { return interleaved_; }
 
 private:
+    void add(const PoseReading& reading, std::int64_t recorded_ns);
+
     std::size_t usable_ = 0;
     std::size_t without_rotation_ = 0;
     std::optional<Eigen::Isometry3d> first_;
     bool moves_ = false;
+    InterleavedPaths interleaved_;
+    std::vector<TrackSurvey> paths_;
     ClockLag clock_;
+    HeadingTrack heading_;
+    std::optional<std::int64_t> last_ns_;
+    std::vector<double> intervals_s_;  ///< the first ones
 };
 
 }  // namespace ddtool

@@ -10,17 +10,14 @@
 
 namespace ddtool {
 
-/// The scans of a log, those of several lidars joined, together with an odometry: the log's own, or one made from the
-/// scans if the log has none.
+/// The scans of a log, those of several lidars joined, together with an odometry: the log's own, completed from the
+/// scans where it does not tell the motion, or one made from the scans if the log has none.
 class DrivenScans : public SensorStream {
 public:
     /// settings: those of the filter that will process the frames.
-    DrivenScans(std::unique_ptr<LogStream> log, const RbpfSettings& settings) : log_(std::move(log)), joined_(*log_) {
-        if (!log_->summary().has_odometry) {
-            from_scans_.emplace(joined_, settings);
-        }
-    }
-    std::optional<SensorFrame> next() override { return from_scans_ ? from_scans_->next() : joined_.next(); }
+    DrivenScans(std::unique_ptr<LogStream> log, const RbpfSettings& settings)
+        : log_(std::move(log)), joined_(*log_), completed_(joined_, settings) {}
+    std::optional<SensorFrame> next() override { return completed_.next(); }
     [[nodiscard]] double fraction_read() const override { return log_->fraction_read(); }
     void tell_truth(const std::shared_ptr<ScanTruth>& truth) override { log_->tell_truth(truth); }
     [[nodiscard]] const LogSummary& summary() const { return log_->summary(); }
@@ -28,7 +25,7 @@ public:
 private:
     std::unique_ptr<LogStream> log_;
     JoinedScans joined_;
-    std::optional<ScanOdometryStream> from_scans_;
+    ScanOdometryStream completed_;
 };
 
 }  // namespace ddtool

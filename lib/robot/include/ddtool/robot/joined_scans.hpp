@@ -32,7 +32,9 @@ private:
     bool leads(const SensorFrame& frame);
 
     SensorStream& source_;
-    std::size_t leader_ = 0;                     ///< the lidar whose scans are frames now
+    std::size_t leader_ = 0;  ///< the lidar whose scans are frames now
+    /// What the odometry says of the motion since the last frame, the frames of other lidars included.
+    OdometryStep step_ = OdometryStep::measured;
     std::optional<std::int64_t> led_ns_;         ///< the stamp of its latest scan; before the first, that of any scan
     std::map<std::size_t, SensorFrame> latest_;  ///< of each lidar
 };

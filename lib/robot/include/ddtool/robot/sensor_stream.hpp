@@ -12,12 +12,20 @@ namespace ddtool {
 
 class ScanTruth;
 
+/// What the odometry says of the motion from one frame to the next.
+enum class OdometryStep {
+    measured,
+    guessed,  ///< part of it fills a gap in the odometry: a place to start looking for the motion in the scans
+    unknown,  ///< nothing: there is no odometry, or it is stuck, or it has started again
+};
+
 /// A scan, with what is known about the robot at its stamp.
 struct SensorFrame {
     LaserScan scan;
-    Pose2 robot_from_laser;                 ///< the pose of the lidar on the robot
-    Pose2 odom_from_robot;                  ///< odometry, interpolated to the scan's stamp
-    std::optional<Pose2> world_from_robot;  ///< the true pose at the stamp of the scan, if the source has it
+    Pose2 robot_from_laser;                           ///< the pose of the lidar on the robot
+    Pose2 odom_from_robot;                            ///< odometry, interpolated to the scan's stamp
+    std::optional<Pose2> world_from_robot;            ///< the true pose at the stamp of the scan, if the source has it
+    OdometryStep odom_step = OdometryStep::measured;  ///< what odom_from_robot says of the motion since the last frame
     /// How the robot moved during the scan, by the odometry: its poses in its frame at the stamp, at equal steps from
     /// the first beam to the last (robot/sweep.hpp). Empty where all beams count as measured at the stamp.
     std::vector<Pose2> sweep = {};
