@@ -82,14 +82,14 @@ private:
         topic.rate.add(reading->scan, reading->frame_id);
         topic.clock.add(reading->scan.stamp_ns, message.log_time_ns);
         note_frame(reading->frame_id, topic);
+        if (reading->frame_id == topic.scan_frames.front()) {
+            topic.turns.add(reading->scan);
+        }
     }
     static void note_frame(const std::string& frame_id, TopicSurvey& topic) {
         std::vector<std::string>& frames = topic.scan_frames;
         if (frames.size() < TopicSurvey::max_frames && std::ranges::count(frames, frame_id) == 0) {
             frames.push_back(frame_id);
-        }
-        if (reading->frame_id == frames.front()) {
-            topic.turns.add(reading->scan);
         }
     }
     static void note_rates(const McapMessage& message, TopicSurvey& topic) {
