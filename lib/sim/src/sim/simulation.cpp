@@ -48,8 +48,13 @@ SimulatedFrame Simulation::frame(std::size_t index, std::size_t lidar) const {
         return pose_at(odometry_, std::min(then_ns, odometry_.back().stamp_ns));
     };
     std::vector<Pose2> sweep = sweep_of(scan, scan.time_increment_s, odometry_after);
-    result.frame = {std::move(scan), robot_from_laser, *pose_at(odometry_, stamp_ns(index, lidar)),
-                    robot,           std::move(sweep), lidar};
+    SensorFrame& frame = result.frame;
+    frame.scan = std::move(scan);
+    frame.robot_from_laser = robot_from_laser;
+    frame.odom_from_robot = *pose_at(odometry_, stamp_ns(index, lidar));
+    frame.world_from_robot = robot;
+    frame.sweep = std::move(sweep);
+    frame.lidar = lidar;
     return result;
 }
 
