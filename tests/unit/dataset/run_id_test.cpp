@@ -56,6 +56,21 @@ TEST(RunId, ChangesWithEverySettingButTheMemorys) {
     EXPECT_EQ(run_id(changed), run_id(plain));
 }
 
+TEST(RunId, TellsThePlainFilterFromGmappingThoughItOnceHadThatName) {
+    Json plain = configuration();
+    plain["filter"]["method"] = "rbpf";
+    EXPECT_EQ(identity_of(plain).at("filter").at("method"), "gmapping");
+    Json gmapping = configuration();
+    gmapping["filter"]["method"] = "gmapping";
+    EXPECT_NE(run_id(gmapping), run_id(plain));
+    const std::string before = run_id(gmapping);
+    for (Json* const each : {&plain, &gmapping}) {
+        (*each)["filter"]["gmapping"]["update_distance_m"] = 0.25;
+    }
+    EXPECT_NE(run_id(gmapping), before);
+    EXPECT_EQ(identity_of(plain).at("filter").dump().find("0.25"), std::string::npos);
+}
+
 TEST(RunId, OfSnapshotsIsOfTheirConfigurationAsItIs) {
     const Json snapshots{{"snapshots", "0123"}, {"format", 2}};
     EXPECT_EQ(identity_of(snapshots), snapshots);

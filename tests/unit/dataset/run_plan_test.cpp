@@ -46,7 +46,9 @@ TEST(PlanRuns, DrawsEachRunFromTheMix) {
         EXPECT_EQ(run.key.configuration().at("filter").at("particles"), run.entry.particles);
         EXPECT_EQ(run.key.configuration().at("simulation").at("lidar").at("preset"), run.entry.lidar);
         EXPECT_EQ(run.key.configuration().at("filter").at("seed"), run.entry.seed);
-        EXPECT_EQ(run.key.configuration().at("filter").at("method"), run.entry.method);
+        // data sets were published when the plain filter had another name
+        EXPECT_EQ(run.key.configuration().at("filter").at("method"),
+                  run.entry.method == "rbpf" ? "gmapping" : run.entry.method);
         methods.insert(run.entry.method);
     }
     EXPECT_EQ(methods.size(), 2U);

@@ -28,10 +28,13 @@ constexpr std::size_t field_count() {
 
 TEST(FilterSettings, LeaveNoFieldOut) {
     const Json json = filter_settings_json({});
-    // In the JSON, the names of the parts are members beside the filter's own settings; MethodSettings has all of them
-    // in one field.
-    EXPECT_EQ(json.size(),
-              field_count<RbpfSettings>() + field_count<MethodParts>() + field_count<MethodSettings>() - 1);
+    // In the JSON, the names of the parts are members beside the filter's own settings, where MethodSettings has all of
+    // them in one field, and so is the group "gmapping".
+    EXPECT_EQ(json.size(), field_count<RbpfSettings>() + field_count<MethodParts>() + field_count<MethodSettings>());
+    constexpr std::size_t common = 4;  // particles, seed, grid and points, which the filter's own settings have
+    EXPECT_EQ(json.at("gmapping").size(), field_count<GmappingSettings>() - common);
+    EXPECT_EQ(json.at("gmapping").at("motion").size(), field_count<LinearMotionNoise>());
+    EXPECT_EQ(json.at("gmapping").at("matcher").size(), field_count<HillClimbSettings>());
     EXPECT_EQ(json.at("detection").size(), field_count<DetectionSettings>());
     EXPECT_EQ(json.at("coarse_fine").size(), field_count<CoarseFineSettings>());
     EXPECT_EQ(json.at("correlative").size(), field_count<CorrelativeSearchSettings>());

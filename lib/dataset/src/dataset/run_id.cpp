@@ -1,9 +1,12 @@
 #include "dataset/run_id.hpp"
 
+#include <utility>
+
 #include "ddtool/filter/information_fusion.hpp"
 #include "ddtool/filter/learnt_odometry.hpp"
 #include "ddtool/filter/scan_matcher.hpp"
 #include "ddtool/robot/scan_points.hpp"
+#include "methods/settings_json.hpp"
 
 namespace ddtool::dataset {
 namespace {
@@ -39,6 +42,10 @@ Json odometry_learning_json() {
 }
 
 Json identity_of_filter(Json filter) {
+    filter = without_other_filters(std::move(filter));
+    if (filter.at("method") == "rbpf") {
+        filter["method"] = "gmapping";  // as it was called then; GMapping itself has its own settings here, too
+    }
     filter["grid"].erase("most_memory_mib");
     if (filter.at("gate").get<std::string>().empty()) {
         filter.erase("gate");

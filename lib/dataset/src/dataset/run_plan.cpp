@@ -99,7 +99,7 @@ private:
                     {{"world", sim::world_fingerprint(sim::load_world(world))},
                      {"simulation", simulation},
                      {"most_particle_updates", most_particle_updates},
-                     {"filter", without_other_filters(filter)}});
+                     {"filter", filter}});
         }
     }
 
@@ -114,10 +114,9 @@ private:
             const Variant variant = draw_variant(mix, chance(name, seed));
             const Json filter = filter_of(item, variant, seed);
             const FilterSettings filter_settings = filter_settings_from_json(filter);
-            add_run(
-                entry_of(item, filter_settings, name),
-                LogRun{path, item.at("range_sd_m").get<double>(), filter_settings},
-                {{"log", content}, {"range_sd_m", item.at("range_sd_m")}, {"filter", without_other_filters(filter)}});
+            add_run(entry_of(item, filter_settings, name),
+                    LogRun{path, item.at("range_sd_m").get<double>(), filter_settings},
+                    {{"log", content}, {"range_sd_m", item.at("range_sd_m")}, {"filter", filter}});
         }
     }
 
