@@ -173,10 +173,11 @@ Found leaps_without_ground(const Evidence& evidence) {
 }
 
 /// The same for the heading, where the scans see hardly anything. Poor wheels err by 0.008 rad for the root of each
-/// metre and drift by 0.0008 rad/s; the bounds are about three times that.
+/// metre and drift by 0.0008 rad/s; the bounds are
+/// several times that, because a landmark that comes into sight may put the heading right at once.
 Found turns_without_ground(const Evidence& evidence) {
-    constexpr double more_rad = 0.15;
-    constexpr double most_rad_per_m = 0.005;
+    constexpr double more_rad = 0.3;
+    constexpr double most_rad_per_m = 0.01;
     const MotionEvidence::Open& open = evidence.motion.open;
     if (open.worst_blind_turn_rad <= more_rad + most_rad_per_m * open.worst_blind_m) {
         return std::nullopt;
