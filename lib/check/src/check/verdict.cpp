@@ -64,11 +64,12 @@ constexpr double least_turning_rad = std::numbers::pi;
 Found lengths_differ(const Evidence& evidence) {
     constexpr double most = 0.1;
     const MotionEvidence& motion = evidence.motion;
-    if (motion.odometry_m < least_way_m || std::abs(motion.along - 1.0) <= most) {
+    const double length_m = std::hypot(motion.along, motion.across);  // whatever its direction: that is another rule
+    if (motion.odometry_m < least_way_m || std::abs(length_m - 1.0) <= most) {
         return std::nullopt;
     }
-    return Finding{Standing::doubtful, "for each metre of odometry the scans moved the robot by " +
-                                           metres(motion.along) + " (over " + fixed_text(motion.odometry_m, 0) + " m)"};
+    return Finding{Standing::doubtful, "for each metre of odometry the scans moved the robot by " + metres(length_m) +
+                                           " (over " + fixed_text(motion.odometry_m, 0) + " m)"};
 }
 
 /// As for lengths. Turns are measured less well by wheels alone, so that the bound is wider.
