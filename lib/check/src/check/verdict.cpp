@@ -64,11 +64,12 @@ constexpr double least_turning_rad = std::numbers::pi;
 Found lengths_differ(const Evidence& evidence) {
     constexpr double most = 0.1;
     const MotionEvidence& motion = evidence.motion;
-    if (motion.odometry_m < least_way_m || std::abs(motion.along - 1.0) <= most) {
+    const double length_m = std::hypot(motion.along, motion.across);  // whatever its direction: that is another rule
+    if (motion.odometry_m < least_way_m || std::abs(length_m - 1.0) <= most) {
         return std::nullopt;
     }
-    return Finding{Standing::doubtful, "for each metre of odometry the scans moved the robot by " +
-                                           metres(motion.along) + " (over " + fixed_text(motion.odometry_m, 0) + " m)"};
+    return Finding{Standing::doubtful, "for each metre of odometry the scans moved the robot by " + metres(length_m) +
+                                           " (over " + fixed_text(motion.odometry_m, 0) + " m)"};
 }
 
 /// As for lengths. Turns are measured less well by wheels alone, so that the bound is wider.
@@ -173,10 +174,11 @@ Found leaps_without_ground(const Evidence& evidence) {
 }
 
 /// The same for the heading, where the scans see hardly anything. Poor wheels err by 0.008 rad for the root of each
-/// metre and drift by 0.0008 rad/s; the bounds are about three times that.
+/// metre and drift by 0.0008 rad/s; the bounds are
+/// several times that, because a landmark that comes into sight may put the heading right at once.
 Found turns_without_ground(const Evidence& evidence) {
-    constexpr double more_rad = 0.15;
-    constexpr double most_rad_per_m = 0.005;
+    constexpr double more_rad = 0.3;
+    constexpr double most_rad_per_m = 0.01;
     const MotionEvidence::Open& open = evidence.motion.open;
     if (open.worst_blind_turn_rad <= more_rad + most_rad_per_m * open.worst_blind_m) {
         return std::nullopt;
