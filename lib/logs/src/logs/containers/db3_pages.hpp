@@ -25,9 +25,7 @@ struct Db3Value {
     std::int64_t integer = 0;
     std::span<const std::byte> bytes;  ///< of a text or a blob
 
-    [[nodiscard]] std::string_view text() const {
-        return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
-    }
+    [[nodiscard]] std::string_view text() const { return {reinterpret_cast<const char*>(bytes.data()), bytes.size()}; }
 };
 
 /// The rows in the table leaf pages of an SQLite database (https://www.sqlite.org/fileformat2.html), read page by page

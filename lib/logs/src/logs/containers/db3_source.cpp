@@ -47,8 +47,8 @@ struct Damaged {
 
 }  // namespace
 
-Db3Source::Db3Source(const std::filesystem::path& path, LogProblemHandler on_problem)
-    : name_(path.string()), on_problem_(std::move(on_problem)), file_(path) {
+Db3Source::Db3Source(const std::filesystem::path& path, std::string name, LogProblemHandler on_problem)
+    : name_(std::move(name)), on_problem_(std::move(on_problem)), file_(path) {
     const bool has_journal = std::filesystem::exists(path.string() + "-wal");
     if (!has_journal && report_cut()) {
         start_salvage();

@@ -19,12 +19,13 @@ namespace ddtool {
 
 /// The messages of rosbag2's SQLite storage (.db3) in the order in which they were stored, from the tables `topics`
 /// (id, name, type, serialization_format) and `messages` (id, topic_id, timestamp in ns, data). The database is opened
-/// read only. If it was not closed, its journal is read as well. If it is cut off or damaged, what is left is looked for
-/// page by page, and what is missing is reported.
+/// read only. If it was not closed, its journal is read as well. If it is cut off or damaged, what is left is looked
+/// for page by page, and what is missing is reported.
 class Db3Source : public MessageSource {
 public:
+    /// \param name stands for the file in messages
     /// Throws Error naming the file if it cannot be opened or does not have these tables.
-    Db3Source(const std::filesystem::path& path, LogProblemHandler on_problem);
+    Db3Source(const std::filesystem::path& path, std::string name, LogProblemHandler on_problem);
 
     std::optional<McapMessage> next() override;
     [[nodiscard]] double fraction_read() const override;

@@ -29,11 +29,11 @@ void check_options(const std::string& file, const LogOptions& options) {
 
 }  // namespace
 
-CarmenStream::CarmenStream(const std::filesystem::path& path, LogOptions options, LogProblemHandler on_problem)
+CarmenStream::CarmenStream(const FoundLog& log, LogOptions options, LogProblemHandler on_problem)
     : LogStream(std::move(on_problem)),
-      file_(path.string()),
+      file_(log.path.string()),
       options_(std::move(options)),
-      lines_(open_text(path, [this](const LogProblem& problem) { report(problem); })) {
+      lines_(open_lines(log, [this](const LogProblem& problem) { report(problem); })) {
     check_options(file_, options_);
     summary_.format = "CARMEN";
     summary_.scan_topic = options_.scan_topic;

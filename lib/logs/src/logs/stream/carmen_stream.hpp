@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <deque>
-#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -10,6 +9,7 @@
 #include "ddtool/logs/log_stream.hpp"
 #include "logs/containers/line_reader.hpp"
 #include "logs/messages/carmen_message.hpp"
+#include "logs/stream/log_container.hpp"
 #include "logs/stream/no_return.hpp"
 #include "logs/stream/odometry_resets.hpp"
 
@@ -24,7 +24,7 @@ class CarmenStream : public LogStream {
 public:
     static constexpr std::size_t scans_read_ahead = 1000;
 
-    CarmenStream(const std::filesystem::path& path, LogOptions options, LogProblemHandler on_problem);
+    CarmenStream(const FoundLog& log, LogOptions options, LogProblemHandler on_problem);
 
     std::optional<SensorFrame> next() override;
     [[nodiscard]] double fraction_read() const override;
