@@ -157,6 +157,54 @@ TEST(FoundLog, ArchivesWithSeveralLogsAreRefused) {
     EXPECT_THAT(test::read_all(folder / "log").error, testing::HasSubstr("without a log; it has notes"));
 }
 
+/// Something that is given by mistake, and what the message must contain.
+struct Mistaken {
+    std::string name;
+    std::string content;
+    std::string expected;
+};
+
+class NamedForWhatItIs : public testing::TestWithParam<Mistaken> {};
+
+TEST_P(NamedForWhatItIs, InOneLineWithTheWayOut) {
+    const test::TemporaryFolder folder;
+    write_file(folder / "log", GetParam().content);
+    const std::string error = test::read_all(folder / "log").error;
+    EXPECT_THAT(error, testing::AllOf(testing::StartsWith((folder / "log").string() + ": "),
+                                      testing::HasSubstr(GetParam().expected), testing::Not(testing::HasSubstr("\n"))));
+}
+
+std::string encrypted_bag() {
+    return "#ROSBAG V2.0\n" + BagFile::record(3,
+                                              BagFile::field("index_pos", std::string(8, '\0')) +
+                                                  BagFile::field("encryptor", "rosbag/AesCbcEncryptor"),
+                                              std::string(100, ' '));
+}
+
+const std::vector<Mistaken> mistaken{
+    {"empty", "", "is empty"},
+    {"encrypted", encrypted_bag(), "encrypted ROS 1 bag (rosbag/AesCbcEncryptor); `rosbag decrypt FILE`"},
+    {"old_record", "#ROSRECORD V1.1\nrest", "a ROS bag of version 1; `rosbag fix"},
+    {"old_bag", "#ROSBAG V1.2\nrest", "of another version; `rosbag fix` renews it"},
+    {"cmu", "O 0.0 0.0 0.0 0.1\nL 1.0 2.0 0.1 1.0 2.0 0.1 100 200 300 0.2\n", "the lines L and O"},
+    {"tum", "# time x y z qx qy qz qw\n1.5 0 0 0 0 0 0 1\n", "a trajectory (TUM"},
+    {"csv", "time,x,y,theta\n1,2,3,4\n", "a table (CSV)"},
+    {"ply", "ply\nformat ascii 1.0\n", "a point cloud (PLY)"},
+    {"pcd", "VERSION .7\nFIELDS x y z\nDATA ascii\n", "a point cloud (PCD)"},
+    {"pcd_with_comment", "# .PCD v.7 - Point Cloud Data file format\n", "a point cloud (PCD)"},
+    {"png", "\x89PNG\r\n\x1a\n", "a PNG picture"},
+    {"pgm", "P5\n3 3\n255\n", "a PGM picture or map"},
+    {"map", "image: map.pgm\nresolution: 0.05\n", "the description of a map (YAML)"},
+    {"zip", std::string("PK\x03\x04rest"), "a zip archive; unpack it (`unzip FILE`)"},
+    {"hdf5", std::string("\x89HDF\r\n\x1a\n"), "an HDF5 file"},
+    {"xz", std::string("\xfd\x37zXZ\0", 6), "an xz file (`xz -dk FILE` unpacks it)"},
+    {"pcap", std::string("\xd4\xc3\xb2\xa1\2\0\4\0", 8), "a network capture (pcap)"},
+    {"text", "hello\n", "a text file"},
+};
+
+INSTANTIATE_TEST_SUITE_P(All, NamedForWhatItIs, testing::ValuesIn(mistaken),
+                         [](const auto& one) { return one.param.name; });
+
 /// A file that was cut off, which every reader must report.
 class CutFile : public testing::TestWithParam<std::string> {
 protected:

@@ -124,6 +124,13 @@ std::optional<std::vector<PoseReading>> decode_poses(const McapMessage& message)
     return readings;
 }
 
+std::string fault_of(const McapMessage& message) {
+    const std::string encapsulation = message.channel->message_encoding == "cdr" ? unknown_cdr(message.data) : "";
+    return encapsulation.empty()
+               ? "a damaged message"
+               : "a message in " + encapsulation + ", which is not read (expected plain CDR, as ROS 2 writes it),";
+}
+
 bool is_information(const McapChannel& channel) {
     return channel.topic == "/fisher_information" && channel.message_encoding == "cdr" &&
            channel.schema.name == RosFloat64MultiArray::type_name;

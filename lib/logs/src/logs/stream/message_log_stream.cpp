@@ -91,7 +91,7 @@ void MessageLogStream::take(const McapMessage& message) {
 void MessageLogStream::take_scan(const McapMessage& message) {
     std::optional<ScanReading> reading = decode_scan(message);
     if (!reading) {
-        report_message(message, "a damaged message");
+        report_message(message, fault_of(message));
         return;
     }
     WaitingScan scan;
@@ -115,7 +115,7 @@ void MessageLogStream::take_scan(const McapMessage& message) {
 void MessageLogStream::take_odometry(const McapMessage& message) {
     const auto readings = decode_poses(message);
     if (!readings) {
-        report_message(message, "a damaged message");
+        report_message(message, fault_of(message));
         return;
     }
     for (const PoseReading& reading : *readings) {
@@ -139,7 +139,7 @@ void MessageLogStream::take_odometry(const McapMessage& message) {
 void MessageLogStream::take_ground_truth(const McapMessage& message) {
     const auto readings = decode_poses(message);
     if (!readings) {
-        report_message(message, "a damaged message");
+        report_message(message, fault_of(message));
         return;
     }
     for (const PoseReading& reading : *readings) {
@@ -157,7 +157,7 @@ void MessageLogStream::take_ground_truth(const McapMessage& message) {
 void MessageLogStream::take_information(const McapMessage& message) {
     const std::optional<Eigen::Matrix3d> information = decode_information(message);
     if (!information) {
-        report_message(message, "a damaged message");
+        report_message(message, fault_of(message));
     }
     for (WaitingScan& scan : waiting_) {
         if (scan.frame.scan.stamp_ns == message.log_time_ns) {
