@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 
 #include "base/text.hpp"
@@ -86,6 +87,20 @@ void CarmenStream::read_ahead() {
         report({file_ + ": the odometry in the lines of the scans is not used: it never moves, although the scans do"});
     }
     note_assumptions();
+    expect_ranges();
+}
+
+/// Throws Error if there is nothing in any of the scans that were read ahead.
+void CarmenStream::expect_ranges() {
+    for (const SensorFrame& frame : ahead_) {
+        LaserScan scan = frame.scan;
+        set_no_returns(scan);
+        if (std::ranges::any_of(scan.ranges_m, [](float range_m) { return std::isfinite(range_m); })) {
+            return;
+        }
+    }
+    throw Error(file_ + ": none of the first " + std::to_string(ahead_.size()) + " scans " + summary_.scan_topic +
+                " has a range: no beam of them has a return; there is nothing to map");
 }
 
 void CarmenStream::note_assumptions() {

@@ -31,6 +31,7 @@ public:
 
 private:
     void read_ahead();
+    void expect_ranges();
     void note_assumptions();
     std::optional<SensorFrame> read_frame();
     std::optional<SensorFrame> take_line(std::string_view line);

@@ -91,9 +91,29 @@ private:
             throw UsageError(file_ + ": has no scans of a robot '" + options_.robot + "'; its scan topics are " +
                              names_of(all));
         } else {
+            if (std::ranges::any_of(scans, has_ranges)) {
+                std::erase_if(scans, [](const TopicSurvey& topic) { return !has_ranges(topic); });
+            }
             scan_ = plainest(scans, "scan");
         }
         plan_.scan_topic = scan_.topic;
+        expect_ranges();
+    }
+
+    static bool has_ranges(const TopicSurvey& topic) { return topic.scans_with_ranges > 0; }
+
+    /// Throws Error if there is nothing in any of the scans.
+    void expect_ranges() const {
+        if (!survey_.is_whole || has_ranges(scan_)) {
+            return;
+        }
+        const std::string number = std::to_string(scan_.scans);
+        if (scan_.scans_read == 0) {
+            throw Error(file_ + ": none of the " + number + " scans of " + scan_.topic + " can be read; the first is " +
+                        scan_.first_fault);
+        }
+        throw Error(file_ + ": none of the " + number + " scans of " + scan_.topic +
+                    " has a range: they have no beams, or no beam of them has a return; there is nothing to map");
     }
 
     /// Whether a scan topic is in the namespace of the robot, or in frames that have its name in front.

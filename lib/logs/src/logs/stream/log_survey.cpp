@@ -1,6 +1,7 @@
 #include "logs/stream/log_survey.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -59,9 +60,13 @@ private:
     }
     static void note_scan(const McapMessage& message, TopicSurvey& topic) {
         const std::optional<ScanReading> reading = decode_scan(message);
+        ++topic.scans;
         if (!reading) {
+            topic.first_fault = topic.first_fault.empty() ? fault_of(message) : topic.first_fault;
             return;
         }
+        ++topic.scans_read;
+        topic.scans_with_ranges += has_range(reading->scan) ? 1 : 0;
         topic.piles.add(reading->scan);
         topic.change.add(reading->scan);
         topic.clock.add(reading->scan.stamp_ns, message.log_time_ns);
@@ -86,6 +91,11 @@ private:
         }
     }
 
+    static bool has_range(const LaserScan& scan) {
+        return std::ranges::any_of(scan.ranges_m,
+                                   [](float range_m) { return std::isfinite(range_m) && range_m > 0.0F; });
+    }
+
     const LogOptions& options_;
     std::optional<std::int64_t> first_ns_;
     double extent_ns_ = 0.0;
@@ -98,14 +108,17 @@ private:
 
 LogSurvey survey_log(MessageSource& source, SurveyExtent extent, const LogOptions& options) {
     Surveyor surveyor(options);
-    while (extent == SurveyExtent::whole || !surveyor.complete()) {
-        const std::optional<McapMessage> message = source.next();
-        if (!message) {
-            break;
+    bool ended = false;
+    while (!ended && (extent == SurveyExtent::whole || !surveyor.complete())) {
+        if (const std::optional<McapMessage> message = source.next()) {
+            surveyor.take(*message);
+        } else {
+            ended = true;
         }
-        surveyor.take(*message);
     }
-    return surveyor.result();
+    LogSurvey survey = surveyor.result();
+    survey.is_whole = ended;
+    return survey;
 }
 
 }  // namespace ddtool

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <string>
@@ -26,6 +27,10 @@ struct TopicSurvey {
     std::string type;  ///< the schema's name
     MessageKind kind = MessageKind::other;
     std::vector<std::string> scan_frames;     ///< of scans, in the order in which they are first named
+    std::size_t scans = 0;                    ///< messages of scans
+    std::size_t scans_read = 0;               ///< of these, those that could be decoded
+    std::size_t scans_with_ranges = 0;        ///< of these, those with a range that is a positive number
+    std::string first_fault;                  ///< of the first that could not be decoded
     RangePiles piles;                         ///< of all scans
     ScanChange change;                        ///< of all scans
     ClockLag clock;                           ///< of all scans
@@ -34,6 +39,7 @@ struct TopicSurvey {
 
 /// The topics and transforms of a log, or of its beginning.
 struct LogSurvey {
+    bool is_whole = false;            ///< the log has been looked through to its end
     std::vector<TopicSurvey> topics;  ///< by name
     bool has_information = false;     ///< is_information() is true for a channel
     /// The latest transform of each frame, by transform_namespace() of its topic.
