@@ -44,21 +44,24 @@ CarmenStream::CarmenStream(const FoundLog& log, LogOptions options, LogProblemHa
 double CarmenStream::fraction_read() const { return lines_.fraction_read(); }
 
 std::optional<SensorFrame> CarmenStream::next() {
-    std::optional<SensorFrame> frame;
+    std::optional<Ahead> next;
     if (ahead_.empty()) {
-        frame = read_frame();
+        next = read_frame();
     } else {
-        frame = std::move(ahead_.front());
+        next = std::move(ahead_.front());
         ahead_.pop_front();
     }
-    if (frame) {
-        ++summary_.scans;
-        set_no_returns(frame->scan);
-        if (!summary_.has_odometry) {
-            frame->odom_from_robot = {};
-        }
+    if (!next) {
+        return std::nullopt;
     }
-    return frame;
+    SensorFrame& frame = next->frame;
+    ++summary_.scans;
+    frame.scan.stamp_ns = times_.time_ns(frame.scan.stamp_ns, true, next->recorded_ns);
+    set_no_returns(frame.scan);
+    if (!summary_.has_odometry) {
+        frame.odom_from_robot = {};
+    }
+    return std::move(frame);
 }
 
 void CarmenStream::read_ahead() {
@@ -66,14 +69,15 @@ void CarmenStream::read_ahead() {
     ScanChange change;
     bool robot_moves = false;
     while (ahead_.size() < scans_read_ahead) {
-        std::optional<SensorFrame> frame = read_frame();
-        if (!frame) {
+        std::optional<Ahead> next = read_frame();
+        if (!next) {
             break;
         }
-        piles.add(frame->scan);
-        change.add(frame->scan);
-        robot_moves = robot_moves || (!ahead_.empty() && frame->odom_from_robot != ahead_.front().odom_from_robot);
-        ahead_.push_back(std::move(*frame));
+        const SensorFrame& frame = next->frame;
+        piles.add(frame.scan);
+        change.add(frame.scan);
+        robot_moves = robot_moves || (!ahead_.empty() && frame.odom_from_robot != ahead_.front().frame.odom_from_robot);
+        ahead_.push_back(std::move(*next));
     }
     if (ahead_.empty()) {
         fail_without_scans();
@@ -87,13 +91,29 @@ void CarmenStream::read_ahead() {
         report({file_ + ": the odometry in the lines of the scans is not used: it never moves, although the scans do"});
     }
     note_assumptions();
+    choose_times();
     expect_ranges();
+}
+
+void CarmenStream::choose_times() {
+    StampSurvey stamps;
+    for (const Ahead& each : ahead_) {
+        stamps.add(each.frame.scan.stamp_ns, each.frame.scan.stamp_ns != 0, each.recorded_ns);
+    }
+    const StampRule rule = stamps.rule("the scans " + summary_.scan_topic);
+    times_ = StampReader(rule);
+    if (!rule.assumption.empty()) {
+        summary_.assumptions.push_back(file_ + ": " + rule.assumption);
+    }
+    if (!rule.fault.empty()) {
+        report({file_ + ": " + rule.fault});
+    }
 }
 
 /// Throws Error if there is nothing in any of the scans that were read ahead.
 void CarmenStream::expect_ranges() {
-    for (const SensorFrame& frame : ahead_) {
-        LaserScan scan = frame.scan;
+    for (const Ahead& each : ahead_) {
+        LaserScan scan = each.frame.scan;
         set_no_returns(scan);
         if (std::ranges::any_of(scan.ranges_m, [](float range_m) { return std::isfinite(range_m); })) {
             return;
@@ -115,16 +135,16 @@ void CarmenStream::note_assumptions() {
     }
 }
 
-std::optional<SensorFrame> CarmenStream::read_frame() {
+std::optional<CarmenStream::Ahead> CarmenStream::read_frame() {
     while (const std::optional<std::string_view> line = lines_.next()) {
-        if (std::optional<SensorFrame> frame = take_line(*line)) {
-            return frame;
+        if (std::optional<Ahead> next = take_line(*line)) {
+            return next;
         }
     }
     return std::nullopt;
 }
 
-std::optional<SensorFrame> CarmenStream::take_line(std::string_view line) {
+std::optional<CarmenStream::Ahead> CarmenStream::take_line(std::string_view line) {
     const std::string name(next_word(line));
     if (name == flaser || name == robotlaser) {
         return take_scan(name, line);
@@ -135,7 +155,7 @@ std::optional<SensorFrame> CarmenStream::take_line(std::string_view line) {
     return std::nullopt;
 }
 
-std::optional<SensorFrame> CarmenStream::take_scan(const std::string& name, std::string_view words) {
+std::optional<CarmenStream::Ahead> CarmenStream::take_scan(const std::string& name, std::string_view words) {
     if (summary_.scan_topic.empty()) {
         summary_.scan_topic = name;
     }
@@ -151,14 +171,24 @@ std::optional<SensorFrame> CarmenStream::take_scan(const std::string& name, std:
     }
     ++summary_.odometry;
     summary_.odom_topic = name;
-    SensorFrame frame;
+    Ahead ahead{{}, recorded_ns(*message)};
+    SensorFrame& frame = ahead.frame;
     frame.robot_from_laser = robot_from_laser(*message);
     frame.odom_from_robot = resets_.follow({message->scan.stamp_ns, message->odom_from_robot});
     if (const auto& jump = resets_.last_jump()) {
         report({file_ + ":" + std::to_string(lines_.line_number()) + ": the odometry " + OdometryResets::text(*jump)});
     }
     frame.scan = std::move(message->scan);
-    return frame;
+    return ahead;
+}
+
+/// The logger's time, which begins with the log, on the clock of the first scan.
+std::int64_t CarmenStream::recorded_ns(const CarmenScan& message) {
+    const std::int64_t logger_ns = message.logger_time_ns.value_or(0);
+    if (!logger_start_ns_) {
+        logger_start_ns_ = stamp_difference(message.scan.stamp_ns, logger_ns);
+    }
+    return stamp_sum(logger_ns, *logger_start_ns_);
 }
 
 void CarmenStream::take_parameter(std::string_view words) {

@@ -12,6 +12,7 @@
 #include "logs/stream/log_container.hpp"
 #include "logs/stream/no_return.hpp"
 #include "logs/stream/odometry_resets.hpp"
+#include "logs/stream/stamp_survey.hpp"
 
 namespace ddtool {
 
@@ -30,12 +31,19 @@ public:
     [[nodiscard]] double fraction_read() const override;
 
 private:
+    struct Ahead {
+        SensorFrame frame;  ///< with the stamp and the readings of the line
+        std::int64_t recorded_ns = 0;
+    };
+
     void read_ahead();
+    void choose_times();
     void expect_ranges();
     void note_assumptions();
-    std::optional<SensorFrame> read_frame();
-    std::optional<SensorFrame> take_line(std::string_view line);
-    std::optional<SensorFrame> take_scan(const std::string& name, std::string_view words);
+    std::optional<Ahead> read_frame();
+    std::optional<Ahead> take_line(std::string_view line);
+    std::optional<Ahead> take_scan(const std::string& name, std::string_view words);
+    std::int64_t recorded_ns(const CarmenScan& message);
     void take_parameter(std::string_view words);
     [[nodiscard]] Pose2 robot_from_laser(const CarmenScan& message) const;
     void set_no_returns(LaserScan& scan) const;
@@ -44,7 +52,9 @@ private:
     std::string file_;
     LogOptions options_;
     LineReader lines_;
-    std::deque<SensorFrame> ahead_;
+    std::deque<Ahead> ahead_;
+    StampReader times_;
+    std::optional<std::int64_t> logger_start_ns_;  ///< ipc time minus logger time of the first scan
     OdometryResets resets_;
     std::optional<Pose2> mounting_;      ///< PARAM robot_frontlaser_*
     std::optional<double> range_max_m_;  ///< PARAM robot_front_laser_max

@@ -98,6 +98,24 @@ private:
         }
         plan_.scan_topic = scan_.topic;
         expect_ranges();
+        plan_.scan_stamps = stamps_of(scan_.stamps, "the scans " + scan_.topic);
+    }
+
+    /// How to read the stamps of a topic that is used; says what is wrong with them.
+    StampRule stamps_of(const StampSurvey& stamps, const std::string& what) {
+        StampRule rule = stamps.rule(what);
+        if (!rule.assumption.empty()) {
+            assume(rule.assumption);
+        }
+        if (!rule.fault.empty()) {
+            blame(rule.fault);
+        }
+        return rule;
+    }
+
+    static ClockLag clock_by(const StampRule& rule, const ClockLag& clock, const StampSurvey& stamps) {
+        return rule.from_recording ? ClockLag::of_recording(stamps.first_recorded_ns(), stamps.last_recorded_ns())
+                                   : clock;
     }
 
     static bool has_ranges(const TopicSurvey& topic) { return topic.scans_with_ranges > 0; }
@@ -197,7 +215,7 @@ private:
             return topic.kind == MessageKind::odometry || topic.kind == MessageKind::pose;
         });
         if (!options_.ground_truth_topic.empty()) {
-            plan_.ground_truth_topic = find_requested(poses, options_.ground_truth_topic, "ground truth", file_).topic;
+            use_ground_truth(find_requested(poses, options_.ground_truth_topic, "ground truth", file_));
             return;
         }
         Topics named = poses;
@@ -205,7 +223,16 @@ private:
             return !names_ground_truth(topic.topic) || topic.topic == options_.odom_topic;
         });
         named = of_this_robot(std::move(named));
-        plan_.ground_truth_topic = named.empty() ? "" : named.front().topic;
+        if (!named.empty()) {
+            use_ground_truth(named.front());
+        }
+    }
+
+    void use_ground_truth(const TopicSurvey& topic) {
+        plan_.ground_truth_topic = topic.topic;
+        for (const auto& [frames, track] : topic.tracks) {
+            plan_.ground_truth_stamps = stamps_of(track.stamps(), "the ground truth " + topic.topic);
+        }
     }
 
     void choose_odometry() {
@@ -218,7 +245,8 @@ private:
                 return topic.kind != MessageKind::scan && topic.kind != MessageKind::other;
             });
             const TopicSurvey& topic = find_requested(usable, options_.odom_topic, "odometry", file_);
-            if (!use_odometry(topic) && plan_.faults.empty()) {
+            const std::size_t faults = plan_.faults.size();
+            if (!use_odometry(topic) && plan_.faults.size() == faults) {
                 throw UsageError(
                     file_ + ": the topic '" + topic.topic + "' has no odometry; expected " +
                     "a transform from a frame odom to the robot's frame, in it or above the laser's frame");
@@ -289,12 +317,16 @@ private:
             blame("the odometry " + name + " is not used: it never moves, although the scans do");
             return false;
         }
-        const double ahead_s = ClockLag::offset_s(scan_.clock, track.clock()).value_or(0.0);
+        const StampRule stamps = track.stamps().rule("the odometry " + name);
+        const ClockLag scan_clock = clock_by(plan_.scan_stamps, scan_.clock, scan_.stamps);
+        const ClockLag clock = clock_by(stamps, track.clock(), track.stamps());
+        const double ahead_s = ClockLag::offset_s(scan_clock, clock).value_or(0.0);
         const bool is_another_clock = std::abs(ahead_s) > least_clock_offset_s;
-        if (!ClockLag::overlap(track.clock(), scan_.clock, is_another_clock ? -ahead_s : 0.0) && track.usable() > 1) {
+        if (!ClockLag::overlap(clock, scan_clock, is_another_clock ? -ahead_s : 0.0) && track.usable() > 1) {
             blame("the odometry " + name + " is not used: its stamps share no moment with those of the scans");
             return false;
         }
+        plan_.odom_stamps = stamps_of(track.stamps(), "the odometry " + name);
         if (is_another_clock) {
             plan_.odom_clock_offset_ns = std::llround(-1e9 * ahead_s);
             assume("the clock of the odometry " + name + " is " + fixed_text(std::abs(ahead_s), 3) + " s " +

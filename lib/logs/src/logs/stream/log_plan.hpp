@@ -21,6 +21,9 @@ struct LogPlan {
     /// If the odometry comes from transforms: the frames between which the transform is taken.
     std::string odom_frame;
     std::string robot_frame;
+    StampRule scan_stamps;
+    StampRule odom_stamps;
+    StampRule ground_truth_stamps;
     /// What is added to the stamps of the odometry, because its clock is not that of the scans.
     std::int64_t odom_clock_offset_ns = 0;
     /// Where the lasers are on the robot, by the frame of their scans.

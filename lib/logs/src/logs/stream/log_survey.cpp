@@ -69,7 +69,10 @@ private:
         topic.scans_with_ranges += has_range(reading->scan) ? 1 : 0;
         topic.piles.add(reading->scan);
         topic.change.add(reading->scan);
-        topic.clock.add(reading->scan.stamp_ns, message.log_time_ns);
+        topic.stamps.add(reading->scan.stamp_ns, reading->has_stamp, message.log_time_ns);
+        if (reading->has_stamp) {
+            topic.clock.add(reading->scan.stamp_ns, message.log_time_ns);
+        }
         std::vector<std::string>& frames = topic.scan_frames;
         if (frames.size() < TopicSurvey::max_frames && std::ranges::count(frames, reading->frame_id) == 0) {
             frames.push_back(reading->frame_id);

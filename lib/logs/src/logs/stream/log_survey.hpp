@@ -12,6 +12,7 @@
 #include "logs/messages/message_decoder.hpp"
 #include "logs/stream/no_return.hpp"
 #include "logs/stream/scan_change.hpp"
+#include "logs/stream/stamp_survey.hpp"
 #include "logs/stream/track_survey.hpp"
 #include "logs/stream/transform_tree.hpp"
 
@@ -33,7 +34,8 @@ struct TopicSurvey {
     std::string first_fault;                  ///< of the first that could not be decoded
     RangePiles piles;                         ///< of all scans
     ScanChange change;                        ///< of all scans
-    ClockLag clock;                           ///< of all scans
+    ClockLag clock;                           ///< of all scans with a stamp
+    StampSurvey stamps;                       ///< of all scans
     std::map<FramePair, TrackSurvey> tracks;  ///< of odometry, poses and transforms
 };
 

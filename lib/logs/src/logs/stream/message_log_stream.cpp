@@ -14,11 +14,6 @@ double seconds_between(std::int64_t a_ns, std::int64_t b_ns) {
     return std::abs(static_cast<double>(a_ns) - static_cast<double>(b_ns)) * 1e-9;
 }
 
-/// Computed without signs, because the stamps of a damaged log may be at the ends of what a signed number can hold.
-std::int64_t moved(std::int64_t stamp_ns, std::int64_t by_ns) {
-    return static_cast<std::int64_t>(static_cast<std::uint64_t>(stamp_ns) + static_cast<std::uint64_t>(by_ns));
-}
-
 }  // namespace
 
 MessageLogStream::MessageLogStream(const OpenSource& open, Opening opening, std::string format, std::string file,
@@ -35,6 +30,9 @@ MessageLogStream::MessageLogStream(const OpenSource& open, Opening opening, std:
     summary_.has_odometry = !plan_.odom_topic.empty();
     summary_.ground_truth_topic = plan_.ground_truth_topic;
     summary_.assumptions = plan_.assumptions;
+    scan_times_ = StampReader(plan_.scan_stamps);
+    odom_times_ = StampReader(plan_.odom_stamps);
+    ground_truth_times_ = StampReader(plan_.ground_truth_stamps);
     for (const std::string& fault : plan_.faults) {
         report({fault});
     }
@@ -94,6 +92,7 @@ void MessageLogStream::take_scan(const McapMessage& message) {
         report_message(message, fault_of(message));
         return;
     }
+    reading->scan.stamp_ns = scan_times_.time_ns(reading->scan.stamp_ns, reading->has_stamp, message.log_time_ns);
     WaitingScan scan;
     const Eigen::Isometry3d* robot_from_laser = mounting_of(reading->frame_id);
     if (robot_from_laser == nullptr) {
@@ -121,7 +120,9 @@ void MessageLogStream::take_odometry(const McapMessage& message) {
     for (const PoseReading& reading : *readings) {
         if (is_odometry(reading) && has_rotation(reading, message)) {
             ++summary_.odometry;
-            const std::int64_t stamp_ns = moved(reading.stamp_ns, plan_.odom_clock_offset_ns);
+            const std::int64_t stamp_ns =
+                stamp_sum(odom_times_.time_ns(reading.stamp_ns, reading.has_stamp, message.log_time_ns),
+                          plan_.odom_clock_offset_ns);
             const Pose2 odom_from_robot = resets_.follow({stamp_ns, to_pose2(reading.frame_from_child)});
             if (const auto& jump = resets_.last_jump()) {
                 report({file_ + ": the odometry " + plan_.odom_topic + " " + OdometryResets::text(*jump) + " (near " +
@@ -147,9 +148,11 @@ void MessageLogStream::take_ground_truth(const McapMessage& message) {
             continue;
         }
         ++summary_.ground_truth;
-        ground_truth_.add({reading.stamp_ns, to_pose2(reading.frame_from_child)});
+        const std::int64_t stamp_ns =
+            ground_truth_times_.time_ns(reading.stamp_ns, reading.has_stamp, message.log_time_ns);
+        ground_truth_.add({stamp_ns, to_pose2(reading.frame_from_child)});
         for (WaitingScan& scan : waiting_) {
-            scan.has_ground_truth = scan.has_ground_truth || scan.frame.scan.stamp_ns <= reading.stamp_ns;
+            scan.has_ground_truth = scan.has_ground_truth || scan.frame.scan.stamp_ns <= stamp_ns;
         }
     }
 }

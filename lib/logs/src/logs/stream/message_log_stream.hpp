@@ -76,6 +76,9 @@ private:
     LogPlan plan_;
     std::unique_ptr<MessageSource> source_;
     std::deque<WaitingScan> waiting_;
+    StampReader scan_times_;
+    StampReader odom_times_;
+    StampReader ground_truth_times_;
     OdometryResets resets_;
     PoseTrack odometry_;
     PoseTrack ground_truth_;

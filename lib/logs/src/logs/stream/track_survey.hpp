@@ -6,6 +6,7 @@
 
 #include "logs/messages/readings.hpp"
 #include "logs/stream/clock_lag.hpp"
+#include "logs/stream/stamp_survey.hpp"
 
 namespace ddtool {
 
@@ -19,7 +20,9 @@ public:
     [[nodiscard]] std::size_t without_rotation() const { return without_rotation_; }
     /// Whether a pose is farther from the first one than 2 cm or 0.02 rad.
     [[nodiscard]] bool moves() const { return moves_; }
+    /// Of the readings that have a stamp.
     [[nodiscard]] const ClockLag& clock() const { return clock_; }
+    [[nodiscard]] const StampSurvey& stamps() const { return stamps_; }
 
 private:
     std::size_t usable_ = 0;
@@ -27,6 +30,7 @@ private:
     std::optional<Eigen::Isometry3d> first_;
     bool moves_ = false;
     ClockLag clock_;
+    StampSurvey stamps_;
 };
 
 }  // namespace ddtool
