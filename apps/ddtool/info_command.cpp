@@ -19,16 +19,30 @@ std::function<void(double)> half(Progress& progress, double before) {
     return [&progress, before](double share) { progress.update(before + 0.5 * share, 1); };
 }
 
+/// Throws Error if the frames hold nothing that a map could be made of.
+void expect_returns(const LogUse& use) {
+    if (use.summary.scans == 0) {
+        throw Error("none of its scans can be used" + (use.summary.first_problems.empty()
+                                                           ? ""
+                                                           : "; the first problem: " + use.summary.first_problems[0]));
+    }
+    if (use.returns == 0) {
+        throw Error("no beam of its " + std::to_string(use.summary.scans) + " scans has a return");
+    }
+}
+
 ExitCode describe_log(const InfoRequest& request, const Json& settings) {
     LogInfo info;
     Progress progress("info", "log");
     try {
         const auto log = open_log(request.log, log_options(settings.at("log")), info.damage.handler());
         info.use = use_of(*log, half(progress, 0.0));
+        expect_returns(*info.use);
     } catch (const UsageError&) {
         throw;
     } catch (const Error& error) {
         info.unusable = error.what();
+        info.use.reset();
         info.damage = {};  // the count below reads the whole log and reports the damage again
     }
     const LogProblemHandler told_already = [](const LogProblem&) {};

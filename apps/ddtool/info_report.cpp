@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <ctime>
 #include <numbers>
+#include <string_view>
 
 #include "report/table.hpp"
 #include "sim/pose2_json.hpp"
@@ -21,13 +22,29 @@ std::string fixed(double number, int decimals) {
     return text.data();
 }
 
-std::string utc(std::int64_t time_ns) {
+/// When something began: a date, or seconds where the clock began with the log.
+std::string beginning(std::int64_t time_ns) {
+    constexpr std::int64_t first_dated_s = 100LL * 24 * 3600;
     const auto seconds = static_cast<std::time_t>(time_ns / 1'000'000'000);
+    if (seconds < first_dated_s) {
+        return fixed(1e-9 * static_cast<double>(time_ns), 1) + " s on its own clock";
+    }
     std::tm parts{};
     ::gmtime_r(&seconds, &parts);
     std::array<char, 64> text{};
     std::strftime(text.data(), text.size(), "%Y-%m-%d %H:%M:%S UTC", &parts);
     return text.data();
+}
+
+/// From when to when a log is: by its times of recording or, if they say nothing, by the stamps of its scans.
+struct LogExtent {
+    std::int64_t first_ns = 0;
+    double duration_s = 0.0;
+};
+
+LogExtent extent_of(const LogInfo& info) {
+    const LogExtent recorded{info.inventory.first_ns(), info.inventory.duration_s()};
+    return recorded.duration_s > 0.0 || !info.use ? recorded : LogExtent{info.use->first_ns, info.use->duration_s()};
 }
 
 std::string used_as(const std::string& topic, const LogSummary& summary) {
@@ -70,7 +87,7 @@ std::string topic_table(const LogInfo& info) {
 }
 
 double scans_hz(const LogUse& use) {
-    const double duration_s = 1e-9 * static_cast<double>(use.last_ns - use.first_ns);
+    const double duration_s = use.duration_s();
     return duration_s > 0.0 ? static_cast<double>(use.summary.scans - 1) / duration_s : 0.0;
 }
 
@@ -99,37 +116,45 @@ Json delay_json(const LogSummary& summary) {
             {"removed_s", summary.odom_delay_removed_s}};
 }
 
-std::string use_text(const LogUse& use) {
+std::string scans_text(const LogUse& use) {
     std::string text = "scans     " + std::to_string(use.summary.scans) + " of " + beams_text(use) + " beams over " +
                        fixed(degrees_per_rad * use.field_of_view_rad, 1) + " deg" +
                        (use.lidars > 1 ? " of " + std::to_string(use.lidars) + " lidars" : "") + ", up to " +
-                       fixed(use.range_max_m, 1) + " m, " + fixed(scans_hz(use), 1) + " Hz; longest gap " +
-                       fixed(use.longest_gap_s, 2) + " s; " +
-                       fixed(100.0 * static_cast<double>(use.returns) / static_cast<double>(use.beams), 0) +
-                       " % of the beams have a range\n";
+                       fixed(use.range_max_m, 1) + " m";
+    if (scans_hz(use) > 0.0) {
+        text += ", " + fixed(scans_hz(use), 1) + " Hz; longest gap " + fixed(use.longest_gap_s, 2) + " s";
+    }
+    text += "; " + fixed(100.0 * static_cast<double>(use.returns) / static_cast<double>(use.beams), 0) +
+            " % of the beams have a range\n";
     if (use.stamps_back > 0) {
         text += "          " + std::to_string(use.stamps_back) + " are stamped before the one before\n";
-    }
-    if (use.summary.has_odometry) {
-        text += "odometry  " + fixed(use.odometry_m, 1) + " m driven" + delay_text(use.summary) + "\n";
     }
     if (use.with_ground_truth > 0) {
         text += "truth     for " + std::to_string(use.with_ground_truth) + " scans\n";
     }
-    for (const Pose2& laser : use.robot_from_lasers) {
-        text += "laser     x " + fixed(laser.x_m, 3) + " m, y " + fixed(laser.y_m, 3) + " m, yaw " +
-                fixed(degrees_per_rad * laser.theta_rad, 1) + " deg on the robot\n";
-    }
     return text;
 }
 
-/// The assumptions that were made because the log lacks something, without the name of the file in front.
-std::vector<std::string> assumptions(const std::string& file, const LogUse& use) {
-    std::vector<std::string> lines;
-    for (const std::string& assumption : use.summary.assumptions) {
-        lines.push_back(assumption.starts_with(file + ": ") ? assumption.substr(file.size() + 2) : assumption);
+std::string inputs_text(const LogUse& use) {
+    std::string scans = use.summary.scan_topic;
+    for (const std::string& topic : use.summary.more_scan_topics) {
+        scans += " and " + topic;
     }
-    return lines;
+    const std::string turns = use.summary.imu_topic.empty() ? "" : ", turns " + use.summary.imu_topic;
+    const std::string odometry = use.summary.has_odometry
+                                     ? "odometry " + use.summary.odom_topic + " (" + fixed(use.odometry_m, 1) +
+                                           " m driven" + delay_text(use.summary) + ")"
+                                     : "no odometry: the motion is worked out from the scans";
+    return "uses      scans " + scans + ", " + odometry + turns + "\n";
+}
+
+std::string lasers_text(const LogUse& use) {
+    std::string text;
+    for (const Pose2& laser : use.robot_from_lasers) {
+        text += (text.empty() ? "" : "; ") + ("x " + fixed(laser.x_m, 3)) + " m, y " + fixed(laser.y_m, 3) +
+                " m, yaw " + fixed(degrees_per_rad * laser.theta_rad, 1) + " deg";
+    }
+    return "laser     " + text + " on the robot\n";
 }
 
 /// The lines with the word in front of the first one, indented to its width.
@@ -141,14 +166,51 @@ std::string under(const std::string& word, const std::vector<std::string>& lines
     return text;
 }
 
-std::string damage_text(const LogDamage& damage) {
+/// A text without the name of the file in front.
+std::string without_file(const std::string& file, const std::string& text) {
+    return text.starts_with(file + ": ") ? text.substr(file.size() + 2) : text;
+}
+
+/// The assumptions that were made because the log lacks something, without the name of the file in front.
+std::vector<std::string> assumptions(const std::string& file, const LogUse& use) {
+    std::vector<std::string> lines;
+    for (const std::string& assumption : use.summary.assumptions) {
+        lines.push_back(without_file(file, assumption));
+    }
+    return lines;
+}
+
+constexpr std::size_t most_in_one_line = 3;
+
+/// The first of several texts in one line, without the name of the file in front of each.
+std::string in_one_line(const std::string& file, const std::vector<std::string>& texts) {
+    std::string line;
+    for (std::size_t i = 0; i < std::min(texts.size(), most_in_one_line); ++i) {
+        line += (i == 0 ? "" : "; ") + without_file(file, texts[i]);
+    }
+    return line + (texts.size() > most_in_one_line ? "; and more, listed above" : "");
+}
+
+std::string damage_text(const std::string& file, const LogDamage& damage) {
     if (damage.problems == 0) {
         return "damage    none\n";
     }
-    std::vector<std::string> lines{"problems: " + std::to_string(damage.problems) +
-                                   "; bytes known to be lost: " + std::to_string(damage.bytes_lost)};
-    lines.insert(lines.end(), damage.first.begin(), damage.first.end());
-    return under("damage    ", lines);
+    return "damage    problems: " + std::to_string(damage.problems) +
+           "; bytes known to be lost: " + std::to_string(damage.bytes_lost) + "; " + in_one_line(file, damage.first) +
+           "\n";
+}
+
+/// The command line that runs over the log; the name is quoted if a shell would take it for several words or more.
+std::string next_command(const std::string& file) {
+    constexpr std::string_view plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789/._-+,:=@%";
+    std::string word = file;
+    if (file.find_first_not_of(plain) != std::string::npos) {
+        for (std::size_t at = word.find('\''); at != std::string::npos; at = word.find('\'', at + 4)) {
+            word.replace(at, 1, "'\\''");
+        }
+        word = "'" + word + "'";
+    }
+    return "ddtool slam --log " + word;
 }
 
 Json topic_json(const TopicInventory& topic, const LogSummary& summary) {
@@ -200,15 +262,17 @@ Json info_json(const std::string& file, const LogInfo& info) {
     for (const TopicInventory& topic : info.inventory.topics) {
         topics.push_back(topic_json(topic, info.use ? info.use->summary : LogSummary{}));
     }
+    const LogExtent extent = extent_of(info);
     Json report{{"file", file},
                 {"format", info.inventory.format},
                 {"messages", info.inventory.messages()},
-                {"first_ns", info.inventory.first_ns()},
-                {"duration_s", info.inventory.duration_s()},
+                {"first_ns", extent.first_ns},
+                {"duration_s", extent.duration_s},
                 {"topics", topics},
                 {"usable", info.use.has_value()}};
     if (info.use) {
         report["use"] = use_json(file, *info.use);
+        report["next"] = next_command(file);
     } else {
         report["unusable"] = info.unusable;
     }
@@ -217,18 +281,29 @@ Json info_json(const std::string& file, const LogInfo& info) {
     return report;
 }
 
+/// What a new user must know stands in the last five lines.
 std::string info_text(const std::string& file, const LogInfo& info) {
     const LogInventory& inventory = info.inventory;
+    const LogExtent extent = extent_of(info);
     std::string text = file + ": " + inventory.format + ", " + std::to_string(inventory.messages()) + " messages, " +
-                       fixed(inventory.duration_s(), 1) + " s from " + utc(inventory.first_ns()) + "\n\n" +
+                       fixed(extent.duration_s, 1) + " s from " + beginning(extent.first_ns) + "\n\n" +
                        topic_table(info) + "\n";
+    const std::vector<std::string> assumed = info.use ? assumptions(file, *info.use) : std::vector<std::string>{};
     if (info.use) {
-        const std::vector<std::string> lines = assumptions(file, *info.use);
-        text += use_text(*info.use) + (lines.empty() ? "assumed   nothing\n" : under("assumed   ", lines));
-    } else {
-        text += under("unusable  ", {info.unusable});
+        text += scans_text(*info.use);
     }
-    return text + damage_text(info.damage);
+    if (assumed.size() > most_in_one_line) {
+        text += under("assumed   ", assumed);
+    }
+    if (info.damage.first.size() > most_in_one_line) {
+        text += under("damage    ", info.damage.first);
+    }
+    if (info.use) {
+        text += "\n" + inputs_text(*info.use) + lasers_text(*info.use) + "assumed   " +
+                (assumed.empty() ? "nothing" : in_one_line(file, assumed)) + "\n";
+    }
+    return text + damage_text(file, info.damage) + "usable    " +
+           (info.use ? "yes; next: " + next_command(file) : "no: " + without_file(file, info.unusable)) + "\n";
 }
 
 }  // namespace ddtool

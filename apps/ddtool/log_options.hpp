@@ -17,7 +17,7 @@ const std::vector<Setting>& log_setting_list();
 Json default_log_settings();
 
 inline constexpr const char* log_file_help =
-    "The log: MCAP, ROS 1 bag, rosbag2 (folder or .db3) or CARMEN (also .gz, .bz2)";
+    "The log: MCAP, ROS 1 bag, rosbag2 (folder or .db3) or CARMEN; also compressed or in a tar archive";
 
 /// Appends the options that every command that reads a log has.
 void append_log_options(std::vector<Option>& options);

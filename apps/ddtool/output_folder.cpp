@@ -1,5 +1,8 @@
 #include "output_folder.hpp"
 
+#include <algorithm>
+#include <array>
+#include <string_view>
 #include <system_error>
 
 #include "system/atomic_file.hpp"
@@ -58,11 +61,13 @@ OutputFolder::~OutputFolder() {
 
 std::string name_of_results(const std::string& log) {
     std::filesystem::path name = std::filesystem::path(log).lexically_normal();
-    name = name.has_filename() ? name.filename() : name.parent_path().filename();
-    if (name.extension() == ".gz" || name.extension() == ".bz2") {
+    const bool is_metadata = name.filename() == "metadata.yaml";  // which stands for its folder
+    name = name.has_filename() && !is_metadata ? name.filename() : name.parent_path().filename();
+    constexpr std::array<std::string_view, 5> packed{".gz", ".bz2", ".zst", ".zstd", ".lz4"};
+    if (std::ranges::count(packed, name.extension().string()) > 0) {
         name = name.stem();
     }
-    if (!is_folder(log)) {
+    if (!is_metadata && !is_folder(log)) {
         name = name.stem();
     }
     return name.empty() || name == "-" || name == "." || name == ".." ? "slam" : name.string();

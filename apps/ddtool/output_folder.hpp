@@ -32,8 +32,8 @@ private:
     bool created_ = false;
 };
 
-/// The name of a folder for the results of a log: "run" for "logs/run.mcap", "run.bag", "run.clf.gz" and the folder
-/// "run/"; "slam" if the log is standard input ("-") or has no name of its own, such as "..".
+/// The name of a folder for the results of a log: "run" for "logs/run.mcap", "run.bag", "run.clf.gz", the folder "run/"
+/// and its "run/metadata.yaml"; "slam" if the log is standard input ("-") or has no name of its own, such as "..".
 std::string name_of_results(const std::string& log);
 
 }  // namespace ddtool

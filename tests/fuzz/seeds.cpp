@@ -14,6 +14,7 @@
 #include "run/snapshot_file.hpp"
 #include "swarm_dataset.hpp"
 #include "system/atomic_file.hpp"
+#include "tar_file.hpp"
 #include "train/training_state.hpp"
 
 namespace ddtool::fuzz {
@@ -51,6 +52,9 @@ void write_logs(const fs::path& folder) {
     write_seed(folder, "small.clf", carmen);
     write_seed(folder, "small.clf.gz", test::gzip(carmen));
     write_seed(folder, "small.clf.bz2", test::bzip2(carmen));
+    write_seed(folder, "small.tar.gz", test::gzip(test::tar_archive({{"a/notes", "n"}, {"a/small.clf", carmen}})));
+    write_seed(folder, "small.tar", test::tar_archive({{"a.db3", read_file(folder / "small.db3")}}));
+    write_seed(folder, "small.db3.gz", test::gzip(read_file(folder / "small.db3")));
     SnapshotWriter snapshots(folder / "snapshots.mcap");
     snapshots.write({.stamp_ns = 1, .update = 2, .odometry_motion = {}, .particles = test::clear_swarm(true, 1)}, {});
     snapshots.close();

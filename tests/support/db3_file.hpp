@@ -50,6 +50,7 @@ inline void write_db3(const std::filesystem::path& path, std::span<const Recorde
     database.run(
         "CREATE TABLE messages(id INTEGER PRIMARY KEY, topic_id INTEGER NOT NULL, timestamp INTEGER NOT "
         "NULL, data BLOB NOT NULL)");
+    database.run("BEGIN");
     std::map<std::string, std::size_t> topics;
     for (const RecordedMessage& message : recording) {
         const auto [topic, is_new] = topics.try_emplace(message.topic, topics.size() + 1);
@@ -62,6 +63,7 @@ inline void write_db3(const std::filesystem::path& path, std::span<const Recorde
                          std::to_string(message.stamp_ns) + ", ?)",
                      compress(packed, message.cdr));
     }
+    database.run("COMMIT");
 }
 
 }  // namespace ddtool::test

@@ -70,6 +70,9 @@ TEST(NameOfResults, IsThatOfTheLogWithoutFolderAndEnding) {
     EXPECT_EQ(name_of_results("/logs/of/run.2.bag"), "run.2");
     EXPECT_EQ(name_of_results("intel.clf.bz2"), "intel");
     EXPECT_EQ(name_of_results("intel.clf.gz"), "intel");
+    EXPECT_EQ(name_of_results("run_0.db3.zstd"), "run_0");
+    EXPECT_EQ(name_of_results("run.tar.gz"), "run");
+    EXPECT_EQ(name_of_results("recording/metadata.yaml"), "recording");
     EXPECT_EQ(name_of_results("run"), "run");
 }
 

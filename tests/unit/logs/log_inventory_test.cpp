@@ -3,8 +3,10 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <functional>
 
 #include "bag_file.hpp"
+#include "ddtool/base/error.hpp"
 #include "logs/stream/log_use.hpp"
 #include "rosbag2_folder_files.hpp"
 #include "system/atomic_file.hpp"
@@ -73,6 +75,63 @@ TEST_F(Inventory, CarmenLogsAreCountedByKindOfLine) {
     EXPECT_EQ(inventory.topics[0].messages, 2U);
     EXPECT_EQ(inventory.topics[0].rate_hz(), 0.5);
     EXPECT_EQ(inventory.duration_s(), 2.5) << "the parameter's time of 0 says nothing";
+}
+
+std::string error_of(const std::filesystem::path& path) {
+    try {
+        open_log(path, {}, {});
+        return "";
+    } catch (const Error& error) {
+        return error.what();
+    }
+}
+
+/// A recording of three scans, changed in some way.
+test::Recording three_scans(const std::function<void(RosLaserScan&)>& change) {
+    test::Recording recording;
+    for (std::int64_t stamp_ns = 100'000'000; stamp_ns < 400'000'000; stamp_ns += 100'000'000) {
+        RosLaserScan scan;
+        scan.header = {{stamp_ns}, "laser"};
+        scan.angle_min = -1.0F;
+        scan.angle_increment = 0.5F;
+        scan.range_max = 10.0F;
+        scan.ranges = {1.0F, 2.0F, 3.0F, 4.0F};
+        change(scan);
+        test::record(recording, "/scan", stamp_ns, scan);
+    }
+    return recording;
+}
+
+TEST_F(Inventory, ScansThatHoldNothingAreRefusedInOneLine) {
+    const std::string nothing = "none of the 3 scans of /scan has a range";
+    test::write_mcap(folder_ / "empty", three_scans([](RosLaserScan& scan) { scan.ranges.clear(); }));
+    EXPECT_THAT(error_of(folder_ / "empty"), testing::HasSubstr(nothing));
+    test::write_mcap(folder_ / "nan", three_scans([](RosLaserScan& scan) { scan.ranges.assign(4, NAN); }));
+    EXPECT_THAT(error_of(folder_ / "nan"), testing::HasSubstr(nothing));
+    test::write_mcap(folder_ / "inf", three_scans([](RosLaserScan& scan) { scan.ranges.assign(4, INFINITY); }));
+    EXPECT_THAT(error_of(folder_ / "inf"), testing::HasSubstr(nothing));
+    test::Recording other = three_scans([](RosLaserScan&) {});
+    for (test::RecordedMessage& message : other) {
+        message.cdr[1] = std::byte{0x0A};
+    }
+    test::write_mcap(folder_ / "other", other);
+    EXPECT_THAT(
+        error_of(folder_ / "other"),
+        testing::AllOf(testing::HasSubstr("none of the 3 scans of /scan can be read"), testing::HasSubstr("PL_CDR2")));
+    write_file(folder_ / "carmen", "FLASER 2 81.83 81.83 0 0 0 0 0 0 10.5 host 0\n");
+    EXPECT_THAT(error_of(folder_ / "carmen"), testing::HasSubstr("none of the first 1 scans FLASER has a range"));
+}
+
+TEST_F(Inventory, AScanTopicWithRangesIsPreferredToAnEmptyOne) {
+    test::Recording recording = three_scans([](RosLaserScan&) {});
+    for (test::RecordedMessage& message : recording) {
+        message.topic = "/scan_front";
+    }
+    for (test::RecordedMessage& message : three_scans([](RosLaserScan& scan) { scan.ranges.clear(); })) {
+        recording.push_back(std::move(message));
+    }
+    test::write_mcap(folder_ / "log", recording);
+    EXPECT_EQ(use_of_file(folder_ / "log").summary.scan_topic, "/scan_front");
 }
 
 TEST_F(Inventory, UseIsWhatTheFramesAre) {

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+#include <bit>
 #include <cstring>
 
 #include "ddtool/base/random.hpp"
@@ -112,6 +115,75 @@ TYPED_TEST(RosCodec, CdrOfAnyBytesNeverCrashes) {
         if (const auto decoded = decode_cdr<TypeParam>(damaged)) {
             EXPECT_LE(test::encode_ros1(*decoded).size(), 2 * damaged.size());
         }
+    }
+}
+
+/// Serialises a message as XCDR version 2 does with types that are final (DDS-XTYPES 1.3, 7.4.3).
+class PlainCdr2Writer {
+public:
+    explicit PlainCdr2Writer(std::endian endian) : endian_(endian) {
+        bytes_ = {std::byte{0}, std::byte{endian == std::endian::big ? std::uint8_t{6} : std::uint8_t{7}}, {}, {}};
+    }
+    void operator()(const auto&... values) { (write(values), ...); }
+    [[nodiscard]] const std::vector<std::byte>& bytes() const { return bytes_; }
+
+private:
+    void write(const auto& message) { message.fields(message, *this); }
+    template <typename Value>
+    requires std::is_arithmetic_v<Value>
+    void write(const Value& value) {
+        while ((bytes_.size() - 4) % std::min<std::size_t>(sizeof value, 4) != 0) {
+            bytes_.emplace_back();
+        }
+        auto bytes = std::bit_cast<std::array<std::byte, sizeof value>>(value);
+        if (endian_ == std::endian::big) {
+            std::ranges::reverse(bytes);
+        }
+        bytes_.insert(bytes_.end(), bytes.begin(), bytes.end());
+    }
+    void write(const std::string& text) {
+        write(static_cast<std::uint32_t>(text.size() + 1));
+        for (const char c : text + std::string(1, '\0')) {
+            write(static_cast<std::uint8_t>(c));
+        }
+    }
+    void write(const RosTime& time) {
+        write(static_cast<std::int32_t>(time.ns / 1'000'000'000));
+        write(static_cast<std::uint32_t>(time.ns % 1'000'000'000));
+    }
+    template <std::size_t size>
+    void write(const std::array<double, size>& values) {
+        std::ranges::for_each(values, [&](double value) { write(value); });
+    }
+    template <typename Value>
+    void write(const std::vector<Value>& values) {
+        if constexpr (!std::is_arithmetic_v<Value>) {
+            write(std::uint32_t{12345});  // the length, which need not be right to be skipped
+        }
+        write(static_cast<std::uint32_t>(values.size()));
+        std::ranges::for_each(values, [&](const Value& value) { write(value); });
+    }
+
+    std::endian endian_;
+    std::vector<std::byte> bytes_;
+};
+
+TYPED_TEST(RosCodec, PlainCdr2IsReadInBothByteOrders) {
+    const auto message = filled<TypeParam>();
+    for (const std::endian endian : {std::endian::little, std::endian::big}) {
+        PlainCdr2Writer writer(endian);
+        writer(message);
+        expect_same_message(decode_cdr<TypeParam>(writer.bytes()), message);
+    }
+}
+
+TYPED_TEST(RosCodec, OtherEncapsulationsAreNamed) {
+    std::vector<std::byte> data = encode_cdr(filled<TypeParam>());
+    EXPECT_EQ(unknown_cdr(data), "");
+    for (const int id : {0x02, 0x03, 0x08, 0x09, 0x0A, 0x0B}) {
+        data[1] = static_cast<std::byte>(id);
+        EXPECT_NE(unknown_cdr(data), "");
+        EXPECT_FALSE(decode_cdr<TypeParam>(data));
     }
 }
 

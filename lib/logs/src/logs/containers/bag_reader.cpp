@@ -1,7 +1,5 @@
 #include "logs/containers/bag_reader.hpp"
 
-#include <fstream>
-#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -40,8 +38,8 @@ McapChannel channel_of(const BagFields& header, std::span<const std::byte> data)
 
 }  // namespace
 
-BagReader::BagReader(std::filesystem::path path, LogProblemHandler on_problem)
-    : path_(std::move(path)), section_(ByteSource(path_), std::move(on_problem)) {}
+BagReader::BagReader(LogFile file, LogProblemHandler on_problem)
+    : file_(std::move(file)), section_(open_bytes(file_, on_problem), on_problem) {}
 
 std::optional<McapMessage> BagReader::next() {
     return records_.next(section_, take_bag_record,
@@ -92,11 +90,11 @@ void BagReader::read_index() {
     if (section_.index_offset() == 0) {
         return;
     }
-    auto file = std::make_unique<std::ifstream>(path_, std::ios::binary);
-    file->seekg(static_cast<std::streamoff>(section_.index_offset()));
     std::vector<std::byte> index;
     try {
-        ByteSource(std::move(file), path_.string()).append_to(index, max_index_bytes);
+        ByteSource bytes = open_bytes(file_, {});
+        bytes.skip(section_.index_offset());
+        bytes.append_to(index, max_index_bytes);
         McapFieldReader fields(index);
         for (BagRecord record = take_bag_record(fields);; record = take_bag_record(fields)) {
             interpret(BagFields(record.header), record.data);

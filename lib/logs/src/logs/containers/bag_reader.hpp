@@ -2,13 +2,13 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <filesystem>
 #include <map>
 #include <optional>
 #include <set>
 #include <span>
 
 #include "logs/containers/bag_section.hpp"
+#include "logs/containers/log_file.hpp"
 #include "logs/containers/message_source.hpp"
 
 namespace ddtool {
@@ -22,7 +22,7 @@ class BagReader : public MessageSource {
 public:
     /// Throws Error if the file cannot be read, or if it is not a bag of version 2.0; the message says what the file
     /// looks like.
-    BagReader(std::filesystem::path path, LogProblemHandler on_problem);
+    BagReader(LogFile file, LogProblemHandler on_problem);
 
     std::optional<McapMessage> next() override;
     [[nodiscard]] double fraction_read() const override { return section_.fraction_read(); }
@@ -33,7 +33,7 @@ private:
     const McapChannel* find_channel(std::uint32_t connection);
     void read_index();
 
-    std::filesystem::path path_;
+    LogFile file_;
     BagSection section_;
     LogRecordWalk<BagSection> records_;
     std::map<std::uint32_t, McapChannel> channels_;

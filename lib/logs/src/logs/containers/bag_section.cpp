@@ -28,6 +28,25 @@ void check_bag_magic(ByteSource& source) {
     }
 }
 
+/// Throws Error if the header of the bag, its first record, names an encryptor.
+void check_not_encrypted(ByteSource& source) {
+    std::span<const std::byte> start = source.start(sizeof(std::uint32_t));
+    const std::uint32_t length = start.size() < sizeof length ? 0 : McapFieldReader(start).take<std::uint32_t>();
+    if (length == 0 || length > max_header_bytes) {
+        return;
+    }
+    start = source.start(sizeof length + length).subspan(sizeof length);
+    std::string encryptor;
+    try {
+        encryptor = BagFields(start).text("encryptor");
+    } catch (const Error&) {  // NOLINT(bugprone-empty-catch): there is none, or the header is damaged
+    }
+    if (!encryptor.empty() && encryptor != "rosbag/NoEncryptor") {
+        throw Error(source.name() + ": is an encrypted ROS 1 bag (" + encryptor +
+                    "); `rosbag decrypt FILE` makes one that can be read, where its key is");
+    }
+}
+
 Compression compression_of(const std::string& name) {
     constexpr std::array<std::pair<std::string_view, Compression>, 3> known{
         {{"none", Compression::none}, {"lz4", Compression::lz4}, {"bz2", Compression::bzip2}}};
@@ -43,6 +62,7 @@ Compression compression_of(const std::string& name) {
 BagSection::BagSection(ByteSource source, LogProblemHandler on_problem)
     : source_(std::move(source)), on_problem_(std::move(on_problem)) {
     check_bag_magic(source_);
+    check_not_encrypted(source_);
 }
 
 std::optional<LogRecords> BagSection::next() {

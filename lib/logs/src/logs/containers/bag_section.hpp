@@ -18,7 +18,7 @@ namespace ddtool {
 /// declare a length, and the records of that chunk follow directly.
 class BagSection {
 public:
-    /// Throws Error if the source is not a bag of version 2.0.
+    /// Throws Error if the source is not a bag of version 2.0, or is encrypted.
     BagSection(ByteSource source, LogProblemHandler on_problem);
 
     /// The next records; nullopt at the end.

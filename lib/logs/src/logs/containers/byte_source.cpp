@@ -46,21 +46,40 @@ ByteSource::ByteSource(std::unique_ptr<std::istream> stream, std::string name)
 ByteSource::ByteSource(std::unique_ptr<LiveBuffer> live, std::string name)
     : live_(std::move(live)), stream_(std::make_unique<std::istream>(live_.get())), name_(std::move(name)) {}
 
+ByteSource::ByteSource(std::unique_ptr<LayerBuffer> layer, std::string name)
+    : layer_(std::move(layer)), stream_(std::make_unique<std::istream>(layer_.get())), name_(std::move(name)) {}
+
 void ByteSource::wait_no_more() {
     if (live_) {
         live_->wait_no_more();
     }
 }
 
+std::span<const std::byte> ByteSource::start(std::size_t size) {
+    const std::size_t before = start_.size();
+    if (before < size) {
+        start_.resize(size);
+        start_.resize(before + read_stream(std::span(start_).subspan(before)));
+    }
+    return std::span(start_).first(std::min(size, start_.size()));
+}
+
 std::size_t ByteSource::read(std::span<std::byte> into) {
+    const std::size_t known = std::min(start_.size(), into.size());
+    std::copy_n(start_.begin(), known, into.begin());
+    start_.erase(start_.begin(), start_.begin() + static_cast<std::ptrdiff_t>(known));
+    const std::size_t count = known + (known < into.size() ? read_stream(into.subspan(known)) : 0);
+    crc_ = crc32_of(into.first(count), crc_);
+    offset_ += count;
+    return count;
+}
+
+std::size_t ByteSource::read_stream(std::span<std::byte> into) {
     stream_->read(reinterpret_cast<char*>(into.data()), static_cast<std::streamsize>(into.size()));
     if (stream_->bad()) {
         throw Error(name_ + ": cannot read after byte " + std::to_string(offset_) + ": " + std::strerror(errno));
     }
-    const auto count = static_cast<std::size_t>(stream_->gcount());
-    crc_ = crc32_of(into.first(count), crc_);
-    offset_ += count;
-    return count;
+    return static_cast<std::size_t>(stream_->gcount());
 }
 
 std::uint64_t ByteSource::append_to(std::vector<std::byte>& into, std::uint64_t size) {
@@ -98,6 +117,9 @@ std::optional<std::uint64_t> ByteSource::remaining() const {
 }
 
 double ByteSource::fraction_read() const {
+    if (layer_) {
+        return layer_->fraction_read();
+    }
     if (!size_) {
         return 0.0;
     }

@@ -40,10 +40,29 @@ std::string column_text(sqlite3_stmt* row, int column) {
     return text == nullptr ? "" : text;
 }
 
+/// SQLite cannot read on.
+struct Damaged {
+    std::string why;
+};
+
 }  // namespace
 
-Db3Source::Db3Source(const std::filesystem::path& path, LogProblemHandler on_problem)
-    : name_(path.string()), on_problem_(std::move(on_problem)) {
+Db3Source::Db3Source(const std::filesystem::path& path, std::string name, LogProblemHandler on_problem)
+    : name_(std::move(name)), on_problem_(std::move(on_problem)), file_(path) {
+    const bool has_journal = std::filesystem::exists(path.string() + "-wal");
+    if (!has_journal && report_cut()) {
+        start_salvage();
+        return;
+    }
+    try {
+        open(path);
+    } catch (const Damaged& damage) {
+        report(damage.why + "; what is left is looked for page by page");
+        start_salvage();
+    }
+}
+
+void Db3Source::open(const std::filesystem::path& path) {
     sqlite3* database = nullptr;
     const int code =
         sqlite3_open_v2(read_only_uri(path).c_str(), &database, SQLITE_OPEN_READONLY | SQLITE_OPEN_URI, nullptr);
@@ -58,20 +77,46 @@ Db3Source::Db3Source(const std::filesystem::path& path, LogProblemHandler on_pro
     last_row_ = step(last) ? sqlite3_column_int64(last.get(), 0) : 0;
 }
 
+/// Returns whether the file is shorter than its header says.
+bool Db3Source::report_cut() {
+    const std::uint64_t declared = Db3Pages(file_.bytes()).declared_bytes().value_or(0);
+    const std::uint64_t size = file_.bytes().size();
+    if (size < declared) {
+        report("the file is cut off: " + std::to_string(size) + " of its " + std::to_string(declared) +
+                   " bytes are there; its messages are looked for page by page",
+               declared - size);
+    }
+    return size < declared;
+}
+
+void Db3Source::start_salvage() {
+    messages_.reset();
+    salvage_.emplace(file_.bytes());
+    if (channels_.empty()) {
+        channels_ = salvage_->topics();
+    }
+    if (channels_.empty()) {
+        throw Error(name_ + ": is a damaged SQLite database; no table of topics was found in what is left of it");
+    }
+}
+
 Db3Source::Statement Db3Source::prepare(const char* query) const {
     sqlite3_stmt* statement = nullptr;
-    if (sqlite3_prepare_v2(database_.get(), query, -1, &statement, nullptr) != SQLITE_OK) {
+    const int code = sqlite3_prepare_v2(database_.get(), query, -1, &statement, nullptr);
+    if (code == SQLITE_CORRUPT || code == SQLITE_NOTADB || code == SQLITE_IOERR) {
+        throw Damaged{sqlite3_errmsg(database_.get())};
+    }
+    if (code != SQLITE_OK) {
         throw Error(name_ + ": is no rosbag2 log: " + sqlite3_errmsg(database_.get()) +
                     "; expected an SQLite database with the tables topics and messages");
     }
     return Statement(statement);
 }
 
-bool Db3Source::step(const Statement& statement) {
+bool Db3Source::step(const Statement& statement) const {
     const int code = sqlite3_step(statement.get());
     if (code != SQLITE_ROW && code != SQLITE_DONE) {
-        report("after row " + std::to_string(row_) + ": " + sqlite3_errmsg(database_.get()) +
-               "; what follows cannot be read");
+        throw Damaged{sqlite3_errmsg(database_.get())};
     }
     return code == SQLITE_ROW;
 }
@@ -87,43 +132,80 @@ void Db3Source::read_topics() {
 }
 
 std::optional<McapMessage> Db3Source::next() {
-    while (messages_) {
-        if (!step(messages_)) {
-            messages_.reset();
-        } else if (auto message = take_row()) {
+    while (const std::optional<Db3Salvage::Message> row = next_row()) {
+        if (auto message = message_of(*row)) {
             return message;
         }
     }
     return std::nullopt;
 }
 
-std::optional<McapMessage> Db3Source::take_row() {
+std::optional<Db3Salvage::Message> Db3Source::next_row() {
+    if (!salvage_) {
+        try {
+            return next_by_order();
+        } catch (const Damaged& damage) {
+            report("after row " + std::to_string(row_) + ": " + damage.why +
+                   "; what follows is looked for page by page");
+            start_salvage();
+        }
+    }
+    return next_salvaged();
+}
+
+std::optional<Db3Salvage::Message> Db3Source::next_by_order() {
+    if (!messages_ || !step(messages_)) {
+        messages_.reset();
+        return std::nullopt;
+    }
     sqlite3_stmt* const row = messages_.get();
     row_ = sqlite3_column_int64(row, 0);
-    const std::int64_t topic = sqlite3_column_int64(row, 1);
-    const auto channel = channels_.find(topic);
+    const auto* const data = static_cast<const std::byte*>(sqlite3_column_blob(row, 3));
+    return Db3Salvage::Message{row_,
+                               sqlite3_column_int64(row, 1),
+                               sqlite3_column_int64(row, 2),
+                               {data, static_cast<std::size_t>(sqlite3_column_bytes(row, 3))}};
+}
+
+std::optional<Db3Salvage::Message> Db3Source::next_salvaged() {
+    const auto message = salvage_->next(row_);
+    if (message) {
+        lost_rows_ += static_cast<std::uint64_t>(message->id) - static_cast<std::uint64_t>(row_) - 1;
+        row_ = message->id;
+    } else if (const std::uint64_t lost = std::exchange(lost_rows_, 0); lost > 0) {
+        report(std::to_string(lost) + " of the rows up to row " + std::to_string(row_) + " are lost");
+    }
+    return message;
+}
+
+std::optional<McapMessage> Db3Source::message_of(const Db3Salvage::Message& row) {
+    const auto channel = channels_.find(row.topic);
     if (channel == channels_.end()) {
-        if (undefined_.insert(topic).second) {
-            report("row " + std::to_string(row_) + ": topic " + std::to_string(topic) +
+        if (undefined_.insert(row.topic).second) {
+            report("row " + std::to_string(row.id) + ": topic " + std::to_string(row.topic) +
                    " is not in the table of topics; its messages are skipped");
         }
         return std::nullopt;
     }
     McapMessage message;
     message.channel = &channel->second;
-    message.log_time_ns = sqlite3_column_int64(row, 2);
-    message.publish_time_ns = message.log_time_ns;
-    const auto* const data = static_cast<const std::byte*>(sqlite3_column_blob(row, 3));
-    message.data = {data, static_cast<std::size_t>(sqlite3_column_bytes(row, 3))};
-    message.file_offset = static_cast<std::uint64_t>(row_);
+    message.log_time_ns = row.time_ns;
+    message.publish_time_ns = row.time_ns;
+    message.data = row.data;
+    message.file_offset = static_cast<std::uint64_t>(row.id);
     message.offset_unit = "row";
     return message;
 }
 
 double Db3Source::fraction_read() const {
+    if (salvage_) {
+        return salvage_->fraction_read();
+    }
     return last_row_ <= 0 ? 1.0 : std::min(1.0, static_cast<double>(row_) / static_cast<double>(last_row_));
 }
 
-void Db3Source::report(const std::string& what) { on_problem_({name_ + ": " + what}); }
+void Db3Source::report(const std::string& what, std::uint64_t bytes_lost) {
+    on_problem_({name_ + ": " + what, 0, bytes_lost});
+}
 
 }  // namespace ddtool

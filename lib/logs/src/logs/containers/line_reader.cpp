@@ -10,11 +10,10 @@ constexpr std::size_t line_buffer_bytes = 1 << 16;
 
 }  // namespace
 
-LineReader::LineReader(std::unique_ptr<TextSource> source)
-    : source_(std::move(source)), buffer_(line_buffer_bytes, '\0') {}
+LineReader::LineReader(ByteSource source) : source_(std::move(source)), buffer_(line_buffer_bytes, '\0') {}
 
 bool LineReader::refill() {
-    unread_ = std::string_view(buffer_).substr(0, source_->read(buffer_));
+    unread_ = std::string_view(buffer_).substr(0, source_.read(std::as_writable_bytes(std::span(buffer_))));
     return !unread_.empty();
 }
 

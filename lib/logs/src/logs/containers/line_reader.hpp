@@ -1,12 +1,11 @@
 #pragma once
 
 #include <cstddef>
-#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 
-#include "logs/containers/text_source.hpp"
+#include "logs/containers/byte_source.hpp"
 
 namespace ddtool {
 
@@ -15,18 +14,18 @@ class LineReader {
 public:
     static constexpr std::size_t max_line_bytes = 1 << 20;
 
-    explicit LineReader(std::unique_ptr<TextSource> source);
+    explicit LineReader(ByteSource source);
 
     /// The next line without its newline; nullopt at the end. Valid until the next call.
     std::optional<std::string_view> next();
     /// The number of the line that next() returned last, counted from 1.
     [[nodiscard]] std::size_t line_number() const { return line_number_; }
-    [[nodiscard]] double fraction_read() const { return source_->fraction_read(); }
+    [[nodiscard]] double fraction_read() const { return source_.fraction_read(); }
 
 private:
     bool refill();
 
-    std::unique_ptr<TextSource> source_;
+    ByteSource source_;
     std::string buffer_;
     std::string_view unread_;
     std::string line_;

@@ -1,5 +1,7 @@
 #include "logs/containers/mcap_compression.hpp"
 
+#include <string>
+
 #include "ddtool/base/error.hpp"
 
 namespace ddtool {
@@ -13,9 +15,10 @@ std::string_view mcap_compression_name(Compression compression) {
         case Compression::zstd:
             return "zstd";
         case Compression::bzip2:
+        case Compression::gzip:
             break;
     }
-    throw Error("MCAP: no bzip2 in its chunks; expected lz4, zstd or none");
+    throw Error("MCAP: no " + std::string(name_of(compression)) + " in its chunks; expected lz4, zstd or none");
 }
 
 std::optional<Compression> mcap_compression_of(std::string_view name) {

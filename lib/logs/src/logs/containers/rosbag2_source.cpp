@@ -3,12 +3,11 @@
 #include <utility>
 
 #include "ddtool/base/error.hpp"
-#include "logs/containers/rosbag2_folder.hpp"
 
 namespace ddtool {
 
-Rosbag2Source::Rosbag2Source(const std::filesystem::path& folder, OpenFile open, LogProblemHandler on_problem)
-    : on_problem_(std::move(on_problem)), open_(std::move(open)), files_(rosbag2_files(folder, on_problem_)) {
+Rosbag2Source::Rosbag2Source(std::vector<LogFile> files, OpenFile open, LogProblemHandler on_problem)
+    : on_problem_(std::move(on_problem)), open_(std::move(open)), files_(std::move(files)) {
     const std::string failure = advance();
     if (!current_) {
         throw Error(failure);

@@ -1,12 +1,12 @@
 #pragma once
 
-#include <filesystem>
 #include <functional>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "ddtool/logs/log_problem.hpp"
+#include "logs/containers/log_file.hpp"
 #include "logs/containers/message_source.hpp"
 
 namespace ddtool {
@@ -15,11 +15,12 @@ namespace ddtool {
 /// and skipped.
 class Rosbag2Source : public MessageSource {
 public:
-    using OpenFile = std::function<std::unique_ptr<MessageSource>(const std::filesystem::path&)>;
+    using OpenFile = std::function<std::unique_ptr<MessageSource>(const LogFile&)>;
 
-    /// \param open opens one storage file
-    /// Throws Error as rosbag2_files() does, and if none of the files can be opened.
-    Rosbag2Source(const std::filesystem::path& folder, OpenFile open, LogProblemHandler on_problem);
+    /// \param files the storage files, see rosbag2_files()
+    /// \param open opens one of them
+    /// Throws Error if none of the files can be opened.
+    Rosbag2Source(std::vector<LogFile> files, OpenFile open, LogProblemHandler on_problem);
 
     std::optional<McapMessage> next() override;
     [[nodiscard]] double fraction_read() const override;
@@ -31,7 +32,7 @@ private:
 
     LogProblemHandler on_problem_;
     OpenFile open_;
-    std::vector<std::filesystem::path> files_;
+    std::vector<LogFile> files_;
     std::size_t opened_ = 0;  ///< number of files that were opened or skipped
     std::unique_ptr<MessageSource> current_;
 };

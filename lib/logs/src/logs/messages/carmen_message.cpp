@@ -20,6 +20,7 @@ public:
 
     double number() { return keep(parse_number(next_word(words_))); }
     std::int64_t stamp() { return keep(parse_stamp(next_word(words_))); }
+    [[nodiscard]] std::optional<std::int64_t> stamp_if_any() { return parse_stamp(next_word(words_)); }
     void skip_word() { ok_ = !next_word(words_).empty() && ok_; }
     void skip_numbers(std::size_t count) {
         for (std::size_t i = 0; i < count && ok_; ++i) {
@@ -94,6 +95,7 @@ void set_flaser_angles(LaserScan& scan) {
 std::optional<CarmenScan> finish(Fields& fields, CarmenScan message) {
     message.scan.stamp_ns = fields.stamp();
     fields.skip_word();
+    message.logger_time_ns = fields.stamp_if_any();
     if (!fields.ok() || message.scan.ranges_m.empty()) {
         return std::nullopt;
     }

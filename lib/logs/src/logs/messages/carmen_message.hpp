@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -14,6 +15,7 @@ struct CarmenScan {
     LaserScan scan;  ///< range_max_m is 0 if the message does not state it
     Pose2 odom_from_laser;
     Pose2 odom_from_robot;
+    std::optional<std::int64_t> logger_time_ns;  ///< since the logger was started
 };
 
 /// Parses "FLASER n r1..rn x y theta odom_x odom_y odom_theta ipc_time host logger_time" without its first word. Beams

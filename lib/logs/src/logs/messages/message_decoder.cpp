@@ -67,10 +67,11 @@ bool tidy_rotation(Eigen::Isometry3d& pose) {
     return is_rotation;
 }
 
-void tidy_stamp(std::int64_t& stamp_ns, const McapMessage& message) {
-    if (stamp_ns == 0) {
-        stamp_ns = message.log_time_ns;
-    }
+/// Returns whether there was a stamp.
+bool tidy_stamp(std::int64_t& stamp_ns, const McapMessage& message) {
+    const bool has_stamp = stamp_ns != 0;
+    stamp_ns = has_stamp ? stamp_ns : message.log_time_ns;
+    return has_stamp;
 }
 
 std::optional<ScanReading> decode_raw_scan(const McapMessage& message, Echo echo) {
@@ -129,7 +130,7 @@ std::optional<ScanReading> decode_scan(const McapMessage& message, Echo echo) {
     }
     tidy(reading->frame_id);
     tidy_rotation(reading->frame_from_scan);
-    tidy_stamp(reading->scan.stamp_ns, message);
+    reading->has_stamp = tidy_stamp(reading->scan.stamp_ns, message);
     return reading;
 }
 
@@ -153,7 +154,7 @@ std::optional<std::vector<PoseReading>> decode_poses(const McapMessage& message)
         tidy(reading.frame_id);
         tidy(reading.child_frame_id);
         reading.has_rotation = tidy_rotation(reading.frame_from_child);
-        tidy_stamp(reading.stamp_ns, message);
+        reading.has_stamp = tidy_stamp(reading.stamp_ns, message);
     }
     return readings;
 }
@@ -174,8 +175,15 @@ std::optional<VelocityReading> decode_velocity(const McapMessage& message) {
         return std::nullopt;
     }
     tidy(reading->frame_id);
-    tidy_stamp(reading->stamp_ns, message);
+    reading->has_stamp = tidy_stamp(reading->stamp_ns, message);
     return reading;
+}
+
+std::string fault_of(const McapMessage& message) {
+    const std::string encapsulation = message.channel->message_encoding == "cdr" ? unknown_cdr(message.data) : "";
+    return encapsulation.empty()
+               ? "a damaged message"
+               : "a message in " + encapsulation + ", which is not read (expected plain CDR, as ROS 2 writes it),";
 }
 
 bool is_information(const McapChannel& channel) {

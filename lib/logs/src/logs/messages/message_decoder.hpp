@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "logs/containers/mcap_types.hpp"
@@ -25,8 +26,8 @@ enum class MessageKind {
 MessageKind kind_of(const McapChannel& channel);
 
 /// Decodes a message of the kind scan. A leading '/' is removed from frame names, and a stamp of zero is replaced by
-/// the log time. Returns nullopt if the bytes are not such a message, or contain a position that is not finite or
-/// further away than farthest_m.
+/// the log time, which the reading tells. Returns nullopt if the bytes are not such a message, or contain a position
+/// that is not finite or further away than farthest_m.
 /// \param echo which one a beam of several has as its range
 std::optional<ScanReading> decode_scan(const McapMessage& message, Echo echo = Echo::first);
 
@@ -48,6 +49,9 @@ std::optional<std::vector<PoseReading>> decode_poses(const McapMessage& message)
 
 /// Decodes a message of the kind velocity by the same rules. Returns nullopt for a velocity that is not finite, too.
 std::optional<VelocityReading> decode_velocity(const McapMessage& message);
+
+/// What is wrong with a message that cannot be decoded, as a noun: "a damaged message".
+std::string fault_of(const McapMessage& message);
 
 /// Whether the channel is the simulator's /fisher_information, the Fisher information of each scan about the true pose.
 bool is_information(const McapChannel& channel);

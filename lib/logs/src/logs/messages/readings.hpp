@@ -18,6 +18,7 @@ struct ScanReading {
     std::string frame_id;
     Eigen::Isometry3d frame_from_scan = Eigen::Isometry3d::Identity();  ///< the scan's own origin, if it has one
     LaserScan scan;                                                     ///< ranges as logged, not yet normalised
+    bool has_stamp = true;  ///< false: the message's stamp is 0; the time of recording stands for it
 };
 
 /// Which echo of a beam counts if it has several.
@@ -35,6 +36,7 @@ struct CloudReading {
     Eigen::Isometry3d frame_from_cloud = Eigen::Isometry3d::Identity();  ///< the cloud's own origin, if it has one
     std::vector<Eigen::Vector3f> points_m = {};                          ///< in the cloud's frame; all are finite
     std::string fault = {};  ///< why the points could not be read; empty: they could
+    bool has_stamp = true;   ///< false: the message's stamp is 0; the time of recording stands for it
 };
 
 /// A pose or transform as it is in a log, for all message types.
@@ -44,6 +46,7 @@ struct PoseReading {
     std::string child_frame_id;  ///< empty where the message type has none
     Eigen::Isometry3d frame_from_child = Eigen::Isometry3d::Identity();
     bool has_rotation = true;  ///< false: the message's quaternion is 0,0,0,0 or no number; the identity stands for it
+    bool has_stamp = true;     ///< false: the message's stamp is 0; the time of recording stands for it
 };
 
 /// What an inertial sensor measures.
@@ -61,6 +64,7 @@ struct VelocityReading {
     double x_m_s = 0.0;
     double y_m_s = 0.0;
     double turn_rad_s = 0.0;  ///< counter-clockwise
+    bool has_stamp = true;    ///< false: the message's stamp is 0; the time of recording stands for it
 };
 
 }  // namespace ddtool

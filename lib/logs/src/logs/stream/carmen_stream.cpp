@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 
 #include "base/text.hpp"
@@ -34,11 +35,11 @@ void check_options(const std::string& file, const LogOptions& options) {
 
 }  // namespace
 
-CarmenStream::CarmenStream(const std::filesystem::path& path, LogOptions options, LogProblemHandler on_problem)
+CarmenStream::CarmenStream(const FoundLog& log, LogOptions options, LogProblemHandler on_problem)
     : LogStream(std::move(on_problem)),
-      file_(path.string()),
+      file_(log.path.string()),
       options_(std::move(options)),
-      lines_(open_text(path, [this](const LogProblem& problem) { report(problem); })) {
+      lines_(open_lines(log, [this](const LogProblem& problem) { report(problem); })) {
     check_options(file_, options_);
     summary_.format = "CARMEN";
     summary_.scan_topic = options_.scan_topic;
@@ -65,30 +66,31 @@ std::optional<SensorFrame> CarmenStream::next() {
 }
 
 std::optional<SensorFrame> CarmenStream::next_read() {
-    std::optional<SensorFrame> frame;
-    if (!ahead_.empty()) {
-        frame = std::move(ahead_.front());
-        ahead_.pop_front();
+    if (ahead_.empty()) {
+        return std::nullopt;
     }
-    if (frame) {
-        if (ahead_.empty()) {
-            if (std::optional<SensorFrame> following = read_frame()) {
-                ahead_.push_back(std::move(*following));
-            }
+    Ahead next = std::move(ahead_.front());
+    ahead_.pop_front();
+    if (ahead_.empty()) {
+        if (std::optional<Ahead> following = read_frame()) {
+            ahead_.push_back(std::move(*following));
         }
-        set_no_returns(frame->scan);
-        if (!summary_.has_odometry) {
-            frame->odom_from_robot = {};
-            frame->odom_step = OdometryStep::unknown;
-        }
-        time_beams(*frame);
     }
-    return frame;
+    SensorFrame& frame = next.frame;
+    const std::int64_t logged_ns = frame.scan.stamp_ns;
+    frame.scan.stamp_ns = times_.time_ns(logged_ns, true, next.recorded_ns);
+    set_no_returns(frame.scan);
+    if (!summary_.has_odometry) {
+        frame.odom_from_robot = {};
+        frame.odom_step = OdometryStep::unknown;
+    }
+    time_beams(frame, logged_ns);
+    return std::move(frame);
 }
 
 /// The odometry is known at the stamps of the scans alone; between this one and the next, the motion is taken as
 /// uniform.
-void CarmenStream::time_beams(SensorFrame& frame) {
+void CarmenStream::time_beams(SensorFrame& frame, std::int64_t logged_ns) {
     const auto odometry_after = [&](double seconds) -> std::optional<Pose2> {
         if (seconds == 0.0) {
             return frame.odom_from_robot;
@@ -96,9 +98,10 @@ void CarmenStream::time_beams(SensorFrame& frame) {
         if (!summary_.has_odometry || ahead_.empty()) {
             return std::nullopt;
         }
-        const Pose2& next = ahead_.front().odom_from_robot;
+        const SensorFrame& following = ahead_.front().frame;
+        const Pose2& next = following.odom_from_robot;
         const double until_next_s =
-            1e-9 * (static_cast<double>(ahead_.front().scan.stamp_ns) - static_cast<double>(frame.scan.stamp_ns));
+            1e-9 * (static_cast<double>(following.scan.stamp_ns) - static_cast<double>(logged_ns));
         const double speed = distance_m(frame.odom_from_robot, next) / until_next_s;
         const double turn_rate = std::abs(wrap_angle(next.theta_rad - frame.odom_from_robot.theta_rad)) / until_next_s;
         // In some logs two stamps are too near to each other for the way between them.
@@ -118,15 +121,16 @@ void CarmenStream::read_ahead() {
     ScanRate rate;
     bool robot_moves = false;
     while (ahead_.size() < scans_read_ahead) {
-        std::optional<SensorFrame> frame = read_frame();
-        if (!frame) {
+        std::optional<Ahead> next = read_frame();
+        if (!next) {
             break;
         }
-        piles.add(frame->scan);
-        change.add(frame->scan);
-        rate.add(frame->scan, "");
-        robot_moves = robot_moves || (!ahead_.empty() && frame->odom_from_robot != ahead_.front().odom_from_robot);
-        ahead_.push_back(std::move(*frame));
+        const SensorFrame& frame = next->frame;
+        piles.add(frame.scan);
+        change.add(frame.scan);
+        rate.add(frame.scan, "");
+        robot_moves = robot_moves || (!ahead_.empty() && frame.odom_from_robot != ahead_.front().frame.odom_from_robot);
+        ahead_.push_back(std::move(*next));
     }
     if (ahead_.empty()) {
         fail_without_scans();
@@ -141,12 +145,42 @@ void CarmenStream::read_ahead() {
         report({file_ + ": the odometry in the lines of the scans is not used: it never moves, although the scans do"});
     }
     note_assumptions();
+    choose_times();
+    expect_ranges();
+}
+
+void CarmenStream::choose_times() {
+    StampSurvey stamps;
+    for (const Ahead& each : ahead_) {
+        stamps.add(each.frame.scan.stamp_ns, each.frame.scan.stamp_ns != 0, each.recorded_ns);
+    }
+    const StampRule rule = stamps.rule("the scans " + summary_.scan_topic);
+    times_ = StampReader(rule);
+    if (!rule.assumption.empty()) {
+        summary_.assumptions.push_back(file_ + ": " + rule.assumption);
+    }
+    if (!rule.fault.empty()) {
+        report({file_ + ": " + rule.fault});
+    }
+}
+
+/// Throws Error if there is nothing in any of the scans that were read ahead.
+void CarmenStream::expect_ranges() {
+    for (const Ahead& each : ahead_) {
+        LaserScan scan = each.frame.scan;
+        set_no_returns(scan);
+        if (std::ranges::any_of(scan.ranges_m, [](float range_m) { return std::isfinite(range_m); })) {
+            return;
+        }
+    }
+    throw Error(file_ + ": none of the first " + std::to_string(ahead_.size()) + " scans " + summary_.scan_topic +
+                " has a range: no beam of them has a return; there is nothing to map");
 }
 
 /// The lines do not say when each beam was measured. A SICK laser turns 75 times a second, whatever part of its scans
 /// was recorded, so that its beams count as measured at once.
 void CarmenStream::find_sweep(const ScanRate& rate) {
-    if (!is_sick_view(ahead_.front().scan.ranges_m.size())) {
+    if (!is_sick_view(ahead_.front().frame.scan.ranges_m.size())) {
         sweep_timer_ = SweepTimer(find_sweep_timing(rate));
     }
 }
@@ -163,16 +197,16 @@ void CarmenStream::note_assumptions() {
     }
 }
 
-std::optional<SensorFrame> CarmenStream::read_frame() {
+std::optional<CarmenStream::Ahead> CarmenStream::read_frame() {
     while (const std::optional<std::string_view> line = lines_.next()) {
-        if (std::optional<SensorFrame> frame = take_line(*line)) {
-            return frame;
+        if (std::optional<Ahead> next = take_line(*line)) {
+            return next;
         }
     }
     return std::nullopt;
 }
 
-std::optional<SensorFrame> CarmenStream::take_line(std::string_view line) {
+std::optional<CarmenStream::Ahead> CarmenStream::take_line(std::string_view line) {
     const std::string name(next_word(line));
     if (name == flaser || name == robotlaser) {
         return take_scan(name, line);
@@ -183,7 +217,7 @@ std::optional<SensorFrame> CarmenStream::take_line(std::string_view line) {
     return std::nullopt;
 }
 
-std::optional<SensorFrame> CarmenStream::take_scan(const std::string& name, std::string_view words) {
+std::optional<CarmenStream::Ahead> CarmenStream::take_scan(const std::string& name, std::string_view words) {
     if (summary_.scan_topic.empty()) {
         summary_.scan_topic = name;
     }
@@ -199,7 +233,8 @@ std::optional<SensorFrame> CarmenStream::take_scan(const std::string& name, std:
     }
     ++summary_.odometry;
     summary_.odom_topic = name;
-    SensorFrame frame;
+    Ahead ahead{{}, recorded_ns(*message)};
+    SensorFrame& frame = ahead.frame;
     frame.robot_from_laser = robot_from_laser(*message);
     frame.odom_from_robot = resets_.follow({message->scan.stamp_ns, message->odom_from_robot});
     if (const auto& jump = resets_.last_jump()) {
@@ -207,7 +242,16 @@ std::optional<SensorFrame> CarmenStream::take_scan(const std::string& name, std:
         report({file_ + ":" + std::to_string(lines_.line_number()) + ": the odometry " + OdometryResets::text(*jump)});
     }
     frame.scan = std::move(message->scan);
-    return frame;
+    return ahead;
+}
+
+/// The logger's time, which begins with the log, on the clock of the first scan.
+std::int64_t CarmenStream::recorded_ns(const CarmenScan& message) {
+    const std::int64_t logger_ns = message.logger_time_ns.value_or(0);
+    if (!logger_start_ns_) {
+        logger_start_ns_ = stamp_difference(message.scan.stamp_ns, logger_ns);
+    }
+    return stamp_sum(logger_ns, *logger_start_ns_);
 }
 
 void CarmenStream::take_parameter(std::string_view words) {

@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <deque>
-#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -11,8 +10,10 @@
 #include "logs/containers/line_reader.hpp"
 #include "logs/messages/carmen_message.hpp"
 #include "logs/stream/frame_watch.hpp"
+#include "logs/stream/log_container.hpp"
 #include "logs/stream/no_return.hpp"
 #include "logs/stream/odometry_resets.hpp"
+#include "logs/stream/stamp_survey.hpp"
 #include "logs/stream/sweep_timer.hpp"
 
 namespace ddtool {
@@ -26,20 +27,29 @@ class CarmenStream : public LogStream {
 public:
     static constexpr std::size_t scans_read_ahead = 1000;
 
-    CarmenStream(const std::filesystem::path& path, LogOptions options, LogProblemHandler on_problem);
+    CarmenStream(const FoundLog& log, LogOptions options, LogProblemHandler on_problem);
 
     std::optional<SensorFrame> next() override;
     [[nodiscard]] double fraction_read() const override;
 
 private:
+    struct Ahead {
+        SensorFrame frame;  ///< with the stamp and the readings of the line
+        std::int64_t recorded_ns = 0;
+    };
+
     void read_ahead();
+    void choose_times();
+    void expect_ranges();
     void note_assumptions();
     void find_sweep(const ScanRate& rate);
-    void time_beams(SensorFrame& frame);
+    /// \param logged_ns the stamp as it is in the line
+    void time_beams(SensorFrame& frame, std::int64_t logged_ns);
     std::optional<SensorFrame> next_read();
-    std::optional<SensorFrame> read_frame();
-    std::optional<SensorFrame> take_line(std::string_view line);
-    std::optional<SensorFrame> take_scan(const std::string& name, std::string_view words);
+    std::optional<Ahead> read_frame();
+    std::optional<Ahead> take_line(std::string_view line);
+    std::optional<Ahead> take_scan(const std::string& name, std::string_view words);
+    std::int64_t recorded_ns(const CarmenScan& message);
     void take_parameter(std::string_view words);
     [[nodiscard]] Pose2 robot_from_laser(const CarmenScan& message) const;
     void set_no_returns(LaserScan& scan) const;
@@ -48,7 +58,9 @@ private:
     std::string file_;
     LogOptions options_;
     LineReader lines_;
-    std::deque<SensorFrame> ahead_;
+    std::deque<Ahead> ahead_;
+    StampReader times_;
+    std::optional<std::int64_t> logger_start_ns_;  ///< ipc time minus logger time of the first scan
     OdometryResets resets_;
     FrameWatch watch_;
     std::optional<Pose2> mounting_;      ///< PARAM robot_frontlaser_*

@@ -31,6 +31,17 @@ void ClockLag::add(std::int64_t stamp_ns, std::int64_t recorded_ns) {
     samples_.push_back({seconds(recorded_ns), seconds(stamp_ns) - seconds(recorded_ns)});
 }
 
+ClockLag ClockLag::of_recording(std::int64_t first_ns, std::int64_t last_ns) {
+    ClockLag lag;
+    const double step_ns = (static_cast<double>(last_ns) - static_cast<double>(first_ns)) / least_samples;
+    for (std::size_t i = 0; i < least_samples; ++i) {
+        const std::int64_t time_ns = first_ns + static_cast<std::int64_t>(static_cast<double>(i) * step_ns);
+        lag.add(time_ns, time_ns);
+    }
+    lag.add(last_ns, last_ns);
+    return lag;
+}
+
 bool ClockLag::overlap(const ClockLag& a, const ClockLag& b, double offset_s) {
     return a.seen_ > 0 && b.seen_ > 0 && seconds(a.first_ns_) + offset_s <= seconds(b.last_ns_) &&
            seconds(b.first_ns_) <= seconds(a.last_ns_) + offset_s;

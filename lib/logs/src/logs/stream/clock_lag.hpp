@@ -12,6 +12,8 @@ namespace ddtool {
 class ClockLag {
 public:
     void add(std::int64_t stamp_ns, std::int64_t recorded_ns);
+    /// That of a topic whose stamps are its times of recording, between the first and the last of these.
+    [[nodiscard]] static ClockLag of_recording(std::int64_t first_ns, std::int64_t last_ns);
 
     /// Whether the stamps of the two topics, the first moved on by `offset_s`, have a moment in common.
     [[nodiscard]] static bool overlap(const ClockLag& a, const ClockLag& b, double offset_s);

@@ -9,7 +9,6 @@
 
 #include "base/text.hpp"
 #include "logs/containers/line_reader.hpp"
-#include "logs/containers/text_source.hpp"
 #include "logs/messages/message_decoder.hpp"
 #include "logs/stream/log_container.hpp"
 
@@ -130,15 +129,15 @@ double LogInventory::duration_s() const {
 
 LogInventory take_inventory(const std::filesystem::path& path, LogProblemHandler on_problem,
                             const std::function<void(double)>& on_progress) {
-    const LogContainer container = container_of(path);
+    const FoundLog log = find_log(path);
     CountedTopics topics;
-    if (container == LogContainer::carmen) {
-        LineReader lines(open_text(path, std::move(on_problem)));
+    if (log.container == LogContainer::carmen) {
+        LineReader lines = open_lines(log, on_problem);
         topics = count_lines(lines, on_progress);
     } else {
-        topics = count_messages(*open_messages(container, path, std::move(on_problem)), on_progress);
+        topics = count_messages(*open_messages(log, std::move(on_problem)), on_progress);
     }
-    LogInventory inventory{.format = std::string(name_of(container)), .topics = {}};
+    LogInventory inventory{.format = std::string(name_of(log.container)), .topics = {}};
     for (auto& [name, topic] : topics) {
         topic.topic = name;
         inventory.topics.push_back(std::move(topic));

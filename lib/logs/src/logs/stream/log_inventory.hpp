@@ -40,7 +40,7 @@ struct LogInventory {
 
 /// Counts the messages of a log of any format, up to its end. Memory does not grow with the log.
 /// \param on_progress is called with the share read, 0..1
-/// Throws Error as container_of() and the readers do.
+/// Throws Error as find_log() and the readers do.
 LogInventory take_inventory(const std::filesystem::path& path, LogProblemHandler on_problem,
                             const std::function<void(double)>& on_progress);
 

@@ -98,6 +98,13 @@ private:
             find_scans(of_kind(MessageKind::scan).empty() ? MessageKind::cloud : MessageKind::scan);
         }
         scan_ = lidars_.front();
+        for (const TopicSurvey& lidar : lidars_) {
+            expect_ranges(lidar);
+            plan_.lidars.push_back({.topic = lidar.topic,
+                                    .stamps = stamps_of(lidar.stamps, "the scans " + lidar.topic),
+                                    .ranges = {},
+                                    .sweep = {}});
+        }
     }
 
     /// Takes the topics that an option names.
@@ -113,13 +120,16 @@ private:
 
     void find_scans(MessageKind kind) {
         const Topics all = of_kind(kind);
-        const Topics scans = of_robot(all);
+        Topics scans = of_robot(all);
         if (all.empty()) {
             fail_without_scans();
         }
         if (scans.empty()) {
             throw UsageError(file_ + ": has no scans of a robot '" + options_.robot + "'; its scan topics are " +
                              names_of(all));
+        }
+        if (std::ranges::any_of(scans, has_ranges)) {
+            std::erase_if(scans, [](const TopicSurvey& topic) { return !has_ranges(topic); });
         }
         lidars_ = {plainest(scans, kind == MessageKind::cloud ? "point cloud" : "scan")};
     }
@@ -134,6 +144,39 @@ private:
 
     Topics of_kind(MessageKind kind) const {
         return topics_where(survey_, [&](const TopicSurvey& topic) { return topic.kind == kind; });
+    }
+
+    /// How to read the stamps of a topic that is used; says what is wrong with them.
+    StampRule stamps_of(const StampSurvey& stamps, const std::string& what) {
+        StampRule rule = stamps.rule(what);
+        if (!rule.assumption.empty()) {
+            assume(rule.assumption);
+        }
+        if (!rule.fault.empty()) {
+            blame(rule.fault);
+        }
+        return rule;
+    }
+
+    static ClockLag clock_by(const StampRule& rule, const ClockLag& clock, const StampSurvey& stamps) {
+        return rule.from_recording ? ClockLag::of_recording(stamps.first_recorded_ns(), stamps.last_recorded_ns())
+                                   : clock;
+    }
+
+    static bool has_ranges(const TopicSurvey& topic) { return topic.scans_with_ranges > 0; }
+
+    /// Throws Error if there is nothing in any of the scans.
+    void expect_ranges(const TopicSurvey& scans) const {
+        if (!survey_.is_whole || has_ranges(scans)) {
+            return;
+        }
+        const std::string number = std::to_string(scans.scans);
+        if (scans.scans_read == 0) {
+            throw Error(file_ + ": none of the " + number + " scans of " + scans.topic + " can be read; the first is " +
+                        scans.first_fault);
+        }
+        throw Error(file_ + ": none of the " + number + " scans of " + scans.topic +
+                    " has a range: they have no beams, or no beam of them has a return; there is nothing to map");
     }
 
     /// Whether a scan topic is in the namespace of the robot, or in frames that have its name in front.
@@ -218,7 +261,7 @@ private:
             return topic.kind == MessageKind::odometry || topic.kind == MessageKind::pose;
         });
         if (!options_.ground_truth_topic.empty()) {
-            plan_.ground_truth_topic = find_requested(poses, options_.ground_truth_topic, "ground truth", file_).topic;
+            use_ground_truth(find_requested(poses, options_.ground_truth_topic, "ground truth", file_));
             return;
         }
         Topics named = poses;
@@ -226,7 +269,16 @@ private:
             return !names_ground_truth(topic.topic) || topic.topic == options_.odom_topic;
         });
         named = of_this_robot(std::move(named));
-        plan_.ground_truth_topic = named.empty() ? "" : named.front().topic;
+        if (!named.empty()) {
+            use_ground_truth(named.front());
+        }
+    }
+
+    void use_ground_truth(const TopicSurvey& topic) {
+        plan_.ground_truth_topic = topic.topic;
+        for (const auto& [frames, track] : topic.tracks) {
+            plan_.ground_truth_stamps = stamps_of(track.stamps(), "the ground truth " + topic.topic);
+        }
     }
 
     void choose_odometry() {
@@ -237,7 +289,8 @@ private:
         if (!options_.odom_topic.empty()) {
             const Topics usable = topics_where(survey_, [](const TopicSurvey& topic) { return has_poses(topic.kind); });
             const TopicSurvey& topic = find_requested(usable, options_.odom_topic, "odometry", file_);
-            if (!use_odometry(topic) && plan_.faults.empty()) {
+            const std::size_t faults = plan_.faults.size();
+            if (!use_odometry(topic) && plan_.faults.size() == faults) {
                 throw UsageError(
                     file_ + ": the topic '" + topic.topic + "' has no odometry; expected " +
                     "a transform from a frame odom to the robot's frame, in it or above the laser's frame");
@@ -324,14 +377,19 @@ private:
             plan_.odom_lineage = track.interleaved().lineage(path);
             return true;
         }
+        const StampRule stamps = track.stamps().rule("the odometry " + name);
+        const StampRule& scan_stamps = plan_.lidars.front().stamps;
+        const ClockLag scan_clock = clock_by(scan_stamps, scan_.clock, scan_.stamps);
+        const ClockLag clock = clock_by(stamps, track.clock(), track.stamps());
         plan_.odom_interval_s = track.usual_interval_s();
-        const double found_s = ClockLag::offset_s(scan_.clock, track.clock()).value_or(0.0);
+        const double found_s = ClockLag::offset_s(scan_clock, clock).value_or(0.0);
         const bool is_another_clock = !options_.odom_delay_s && std::abs(found_s) > least_clock_offset_s;
         const double ahead_s = options_.odom_delay_s.value_or(is_another_clock ? found_s : 0.0);
-        if (!ClockLag::overlap(track.clock(), scan_.clock, -ahead_s) && track.usable() > 1) {
+        if (!ClockLag::overlap(clock, scan_clock, -ahead_s) && track.usable() > 1) {
             blame("the odometry " + name + " is not used: its stamps share no moment with those of the scans");
             return false;
         }
+        plan_.odom_stamps = stamps_of(track.stamps(), "the odometry " + name);
         plan_.odom_clock_offset_ns = std::llround(-1e9 * ahead_s);
         if (is_another_clock) {
             assume("the clock of the odometry " + name + " is " + fixed_text(std::abs(ahead_s), 3) + " s " +
@@ -382,6 +440,9 @@ private:
 
     /// Measures by how much the odometry is late by the turns, and takes it off where that is sure.
     void find_delay(const TrackSurvey& track, const std::string& name, double ahead_s) {
+        if (!plan_.lidars.front().stamps.assumption.empty() || !plan_.odom_stamps.assumption.empty()) {
+            return;  // the turns were noted with the stamps of the messages, which are not used
+        }
         const std::optional<TurnLag> lag = turn_lag(scan_.turns, track.heading(), ahead_s);
         if (!lag) {
             return;
@@ -480,6 +541,7 @@ private:
                 ++lidar;
             } else {
                 blame("the scans of " + lidar->topic + " are not used: " + fault);
+                std::erase_if(plan_.lidars, [&](const LidarPlan& plan) { return plan.topic == lidar->topic; });
                 lidar = lidars_.erase(lidar);
             }
         }
@@ -568,16 +630,20 @@ private:
                     assume(lidars_.size() > 1 ? lidar.topic + ": " + line : line);
                 }
             }
-            plan_.lidars.push_back({.topic = lidar.topic, .ranges = std::move(ranges), .sweep = {}});
+            lidar_plan(lidar).ranges = std::move(ranges);
         }
     }
 
+    LidarPlan& lidar_plan(const TopicSurvey& lidar) {
+        return *std::ranges::find(plan_.lidars, lidar.topic, &LidarPlan::topic);
+    }
+
     void find_sweep() {
-        for (LidarPlan& lidar : plan_.lidars) {
-            const auto topic = std::ranges::find(lidars_, lidar.topic, &TopicSurvey::topic);
-            lidar.sweep = find_sweep_timing(topic->rate);
-            if (!lidar.sweep.doubt.empty()) {
-                assume(lidar.sweep.doubt);
+        for (const TopicSurvey& lidar : lidars_) {
+            SweepTiming& sweep = lidar_plan(lidar).sweep;
+            sweep = find_sweep_timing(lidar.rate);
+            if (!sweep.doubt.empty()) {
+                assume(sweep.doubt);
             }
         }
     }

@@ -16,6 +16,7 @@ namespace ddtool {
 /// A topic of scans, or of clouds that become scans.
 struct LidarPlan {
     std::string topic;
+    StampRule stamps;
     RangeRules ranges;
     SweepTiming sweep;
 };
@@ -35,6 +36,8 @@ struct LogPlan {
     std::string robot_frame;
     /// Which of the interleaved paths is used, as its InterleavedPaths::lineage(); empty: there is one path.
     std::vector<std::size_t> odom_lineage;
+    StampRule odom_stamps;
+    StampRule ground_truth_stamps;
     /// What is added to the stamps of the odometry, because its clock is not that of the scans.
     std::int64_t odom_clock_offset_ns = 0;
     std::optional<OdometryDelay> odom_delay;  ///< as the turns show it, before anything is taken off

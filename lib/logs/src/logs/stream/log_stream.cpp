@@ -20,15 +20,14 @@ void LogStream::report(const LogProblem& problem) {
 
 std::unique_ptr<LogStream> open_log(const std::filesystem::path& path, const LogOptions& options,
                                     LogProblemHandler on_problem) {
-    const LogContainer container = container_of(path);
-    if (container == LogContainer::carmen) {
-        return std::make_unique<CarmenStream>(path, options, std::move(on_problem));
+    const FoundLog log = find_log(path);
+    if (log.container == LogContainer::carmen) {
+        return std::make_unique<CarmenStream>(log, options, std::move(on_problem));
     }
-    const auto open = [container, path](LogProblemHandler handler) {
-        return open_messages(container, path, std::move(handler));
-    };
-    return std::make_unique<MessageLogStream>(open, MessageLogStream::Opening::twice, std::string(name_of(container)),
-                                              path.string(), options, std::move(on_problem));
+    const auto open = [log](LogProblemHandler handler) { return open_messages(log, std::move(handler)); };
+    return std::make_unique<MessageLogStream>(open, MessageLogStream::Opening::twice,
+                                              std::string(name_of(log.container)), path.string(), options,
+                                              std::move(on_problem));
 }
 
 }  // namespace ddtool

@@ -1,6 +1,7 @@
 #include "logs/stream/log_survey.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -74,13 +75,20 @@ private:
     void note_scan(const McapMessage& message, TopicSurvey& topic) const {
         const std::optional<ScanReading> reading =
             decode_scan(message, options_.strongest_echo ? Echo::strongest : Echo::first);
+        ++topic.scans;
         if (!reading) {
+            topic.first_fault = topic.first_fault.empty() ? fault_of(message) : topic.first_fault;
             return;
         }
+        ++topic.scans_read;
+        topic.scans_with_ranges += has_range(reading->scan) ? 1 : 0;
         topic.piles.add(reading->scan);
         topic.change.add(reading->scan);
         topic.rate.add(reading->scan, reading->frame_id);
-        topic.clock.add(reading->scan.stamp_ns, message.log_time_ns);
+        topic.stamps.add(reading->scan.stamp_ns, reading->has_stamp, message.log_time_ns);
+        if (reading->has_stamp) {
+            topic.clock.add(reading->scan.stamp_ns, message.log_time_ns);
+        }
         note_frame(reading->frame_id, topic);
         if (reading->frame_id == topic.scan_frames.front()) {
             topic.turns.add(reading->scan);
@@ -103,15 +111,24 @@ private:
             return;
         }
         cloud_bytes_ += message.data.size();
+        ++topic.scans;
         const std::optional<CloudReading> reading = decode_cloud(message);
-        if (!reading) {
+        if (!reading || !reading->fault.empty()) {
+            topic.first_fault = !topic.first_fault.empty() ? topic.first_fault
+                                : reading                  ? "a cloud " + reading->fault
+                                                           : fault_of(message);
             return;
         }
+        ++topic.scans_read;
+        topic.scans_with_ranges += reading->points_m.empty() ? 0 : 1;
+        topic.stamps.add(reading->stamp_ns, reading->has_stamp, message.log_time_ns);
         constexpr std::size_t beams = 180;
         if (!topic.change.moves()) {
             topic.change.add(cloud_scan(*reading, Eigen::Isometry3d::Identity(), band_around_unknown, beams));
         }
-        topic.clock.add(reading->stamp_ns, message.log_time_ns);
+        if (reading->has_stamp) {
+            topic.clock.add(reading->stamp_ns, message.log_time_ns);
+        }
         note_frame(reading->frame_id, topic);
     }
     void note_poses(const McapMessage& message, TopicSurvey& topic) {
@@ -130,6 +147,11 @@ private:
         }
     }
 
+    static bool has_range(const LaserScan& scan) {
+        return std::ranges::any_of(scan.ranges_m,
+                                   [](float range_m) { return std::isfinite(range_m) && range_m > 0.0F; });
+    }
+
     const LogOptions& options_;
     std::optional<std::int64_t> first_ns_;
     double extent_ns_ = 0.0;
@@ -144,14 +166,17 @@ private:
 
 LogSurvey survey_log(MessageSource& source, SurveyExtent extent, const LogOptions& options) {
     Surveyor surveyor(options);
-    while (extent == SurveyExtent::whole || !surveyor.complete()) {
-        const std::optional<McapMessage> message = source.next();
-        if (!message) {
-            break;
+    bool ended = false;
+    while (!ended && (extent == SurveyExtent::whole || !surveyor.complete())) {
+        if (const std::optional<McapMessage> message = source.next()) {
+            surveyor.take(*message);
+        } else {
+            ended = true;
         }
-        surveyor.take(*message);
     }
-    return surveyor.result();
+    LogSurvey survey = surveyor.result();
+    survey.is_whole = ended;
+    return survey;
 }
 
 }  // namespace ddtool

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <string>
@@ -13,6 +14,7 @@
 #include "logs/stream/no_return.hpp"
 #include "logs/stream/scan_change.hpp"
 #include "logs/stream/scan_rate.hpp"
+#include "logs/stream/stamp_survey.hpp"
 #include "logs/stream/track_survey.hpp"
 #include "logs/stream/transform_tree.hpp"
 #include "logs/stream/turn_lag.hpp"
@@ -28,18 +30,24 @@ struct TopicSurvey {
     std::string topic;
     std::string type;  ///< the schema's name
     MessageKind kind = MessageKind::other;
-    std::vector<std::string> scan_frames;     ///< of scans and clouds, in the order in which they are first named
-    RangePiles piles;                         ///< of all scans
-    ScanChange change;                        ///< of all scans or clouds
-    ClockLag clock;                           ///< of all scans or clouds
-    ScanRate rate;                            ///< of all scans
-    GyroSurvey gyro;                          ///< of inertial messages
-    ScanTurns turns;                          ///< of the scans in the first of the frames
+    std::vector<std::string> scan_frames;  ///< of scans and clouds, in the order in which they are first named
+    std::size_t scans = 0;                 ///< messages of scans and clouds
+    std::size_t scans_read = 0;            ///< of these, those that could be decoded
+    std::size_t scans_with_ranges = 0;     ///< of these, those with a range that is a positive number, or with points
+    std::string first_fault;               ///< of the first that could not be decoded
+    RangePiles piles;                      ///< of all scans
+    ScanChange change;                     ///< of all scans or clouds
+    ClockLag clock;                        ///< of all scans or clouds with a stamp
+    StampSurvey stamps;                    ///< of all scans or clouds
+    ScanRate rate;                         ///< of all scans
+    GyroSurvey gyro;                       ///< of inertial messages
+    ScanTurns turns;                       ///< of the scans in the first of the frames
     std::map<FramePair, TrackSurvey> tracks;  ///< of odometry, poses and transforms
 };
 
 /// The topics and transforms of a log, or of its beginning.
 struct LogSurvey {
+    bool is_whole = false;            ///< the log has been looked through to its end
     std::vector<TopicSurvey> topics;  ///< by name
     bool has_information = false;     ///< is_information() is true for a channel
     /// The latest transform of each frame, by transform_namespace() of its topic.

@@ -12,7 +12,7 @@ namespace ddtool {
 namespace {
 
 void take_scan(LogUse& use, const LaserScan& scan) {
-    use.fewest_beams = std::min(use.fewest_beams, scan.ranges_m.size());
+    use.fewest_beams = use.beams == 0 ? scan.ranges_m.size() : std::min(use.fewest_beams, scan.ranges_m.size());
     use.most_beams = std::max(use.most_beams, scan.ranges_m.size());
     use.field_of_view_rad = std::abs(scan.angle_rad(scan.ranges_m.size() - 1) - scan.angle_min_rad);
     use.range_max_m = scan.range_max_m;

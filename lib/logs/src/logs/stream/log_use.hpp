@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <functional>
-#include <limits>
 #include <vector>
 
 #include "ddtool/logs/log_stream.hpp"
@@ -13,7 +12,7 @@ namespace ddtool {
 struct LogUse {
     LogSummary summary;
     std::size_t lidars = 0;  ///< whose scans are used
-    std::size_t fewest_beams = std::numeric_limits<std::size_t>::max();
+    std::size_t fewest_beams = 0;
     std::size_t most_beams = 0;
     double field_of_view_rad = 0.0;        ///< of the last scan, from its first beam to its last
     double range_max_m = 0.0;              ///< of the last scan
@@ -26,6 +25,11 @@ struct LogUse {
     std::size_t returns = 0;            ///< beams with a range
     double odometry_m = 0.0;            ///< distance driven by odometry, added up from scan to scan of the first lidar
     std::size_t with_ground_truth = 0;  ///< scans with a true pose
+
+    /// From the first stamp to the last.
+    [[nodiscard]] double duration_s() const {
+        return 1e-9 * (static_cast<double>(last_ns) - static_cast<double>(first_ns));
+    }
 };
 
 /// Reads the log to its end.

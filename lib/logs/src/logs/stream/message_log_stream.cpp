@@ -17,11 +17,6 @@ double seconds_between(std::int64_t a_ns, std::int64_t b_ns) {
     return std::abs(static_cast<double>(a_ns) - static_cast<double>(b_ns)) * 1e-9;
 }
 
-/// Computed without signs, because the stamps of a damaged log may be at the ends of what a signed number can hold.
-std::int64_t moved(std::int64_t stamp_ns, std::int64_t by_ns) {
-    return static_cast<std::int64_t>(static_cast<std::uint64_t>(stamp_ns) + static_cast<std::uint64_t>(by_ns));
-}
-
 std::vector<SweepTimer> timers_of(const LogPlan& plan) {
     std::vector<SweepTimer> timers;
     for (const LidarPlan& lidar : plan.lidars) {
@@ -58,6 +53,7 @@ MessageLogStream::MessageLogStream(const OpenSource& open, Opening opening, std:
     summary_.odom_delay_removed_s = -1e-9 * static_cast<double>(plan_.odom_clock_offset_ns);
     summary_.ground_truth_topic = plan_.ground_truth_topic;
     summary_.assumptions.insert(summary_.assumptions.begin(), plan_.assumptions.begin(), plan_.assumptions.end());
+    start_clocks();
     for (const std::string& fault : plan_.faults) {
         report({fault});
     }
@@ -68,7 +64,19 @@ MessageLogStream::MessageLogStream(LogPlan plan, std::unique_ptr<MessageSource> 
       file_(std::move(file)),
       plan_(std::move(plan)),
       source_(std::move(source)),
-      sweep_timers_(timers_of(plan_)) {}
+      sweep_timers_(timers_of(plan_)) {
+    start_clocks();
+    gaps_ = OdometryGaps(plan_.odom_interval_s);
+}
+
+void MessageLogStream::start_clocks() {
+    scan_times_.clear();
+    for (const LidarPlan& lidar : plan_.lidars) {
+        scan_times_.emplace_back(lidar.stamps);
+    }
+    odom_times_ = StampReader(plan_.odom_stamps);
+    ground_truth_times_ = StampReader(plan_.ground_truth_stamps);
+}
 
 void MessageLogStream::survey(const OpenSource& open, const LogOptions& options) {
     const auto survey_source = open([](const LogProblem&) {});  // problems are reported at the second reading
@@ -174,9 +182,11 @@ void MessageLogStream::take(const McapMessage& message) {
 void MessageLogStream::take_scan(const McapMessage& message, std::size_t lidar) {
     std::optional<ScanReading> reading = decode_scan(message, plan_.echo);
     if (!reading) {
-        report_message(message, "a damaged message");
+        report_message(message, fault_of(message));
         return;
     }
+    reading->scan.stamp_ns =
+        scan_times_[lidar].time_ns(reading->scan.stamp_ns, reading->has_stamp, message.log_time_ns);
     const Eigen::Isometry3d* robot_from_laser = mounting_of(reading->frame_id, message);
     if (robot_from_laser == nullptr) {
         return;
@@ -191,13 +201,14 @@ void MessageLogStream::take_scan(const McapMessage& message, std::size_t lidar) 
 }
 
 void MessageLogStream::take_cloud(const McapMessage& message, std::size_t lidar) {
-    const std::optional<CloudReading> reading = decode_cloud(message);
+    std::optional<CloudReading> reading = decode_cloud(message);
     if (!reading || !reading->fault.empty() || reading->points_m.empty()) {
         report_message(message, !reading                 ? "a damaged message"
                                 : reading->fault.empty() ? "a cloud without points"
                                                          : "a cloud " + reading->fault);
         return;
     }
+    reading->stamp_ns = scan_times_[lidar].time_ns(reading->stamp_ns, reading->has_stamp, message.log_time_ns);
     const Eigen::Isometry3d* robot_from_laser = mounting_of(reading->frame_id, message);
     if (robot_from_laser == nullptr) {
         return;
@@ -217,7 +228,8 @@ void MessageLogStream::wait(SensorFrame frame) {
     WaitingScan scan;
     scan.frame = std::move(frame);
     const std::int64_t stamp_ns = scan.frame.scan.stamp_ns;
-    scan.measured_ns = moved(stamp_ns, std::llround(1e9 * sweep_timers_[scan.frame.lidar].longest_s(scan.frame.scan)));
+    scan.measured_ns =
+        stamp_sum(stamp_ns, std::llround(1e9 * sweep_timers_[scan.frame.lidar].longest_s(scan.frame.scan)));
     scan.has_odometry = plan_.odom_topic.empty() || odometry_.contains(scan.measured_ns);
     scan.has_ground_truth = plan_.ground_truth_topic.empty() || ground_truth_.contains(stamp_ns);
     scan.has_information = !plan_.has_information;
@@ -227,13 +239,15 @@ void MessageLogStream::wait(SensorFrame frame) {
 void MessageLogStream::take_odometry(const McapMessage& message) {
     const auto readings = odometry_reader_.read(message);
     if (!readings) {
-        report_message(message, "a damaged message");
+        report_message(message, fault_of(message));
         return;
     }
     for (const PoseReading& reading : *readings) {
         if (is_odometry(reading) && has_rotation(reading, message) && is_of_used_path(reading, message)) {
             ++summary_.odometry;
-            const std::int64_t stamp_ns = moved(reading.stamp_ns, plan_.odom_clock_offset_ns);
+            const std::int64_t stamp_ns =
+                stamp_sum(odom_times_.time_ns(reading.stamp_ns, reading.has_stamp, message.log_time_ns),
+                          plan_.odom_clock_offset_ns);
             const StampedPose odom_from_robot{stamp_ns, resets_.follow({stamp_ns, to_pose2(reading.frame_from_child)})};
             const auto gap = gaps_.add(odom_from_robot);
             if (const auto& jump = resets_.last_jump()) {
@@ -276,7 +290,7 @@ void MessageLogStream::take_rates(const McapMessage& message) {
         report_message(message, "a damaged message");
         return;
     }
-    gyro_odometry_.add_rate(moved(reading->stamp_ns, plan_.imu_clock_offset_ns),
+    gyro_odometry_.add_rate(stamp_sum(reading->stamp_ns, plan_.imu_clock_offset_ns),
                             plan_.imu_upwards.dot(reading->angular_velocity_rad_per_s));
     release_odometry(false);
 }
@@ -322,7 +336,7 @@ void MessageLogStream::judge_gyro() {
 void MessageLogStream::take_ground_truth(const McapMessage& message) {
     const auto readings = decode_poses(message);
     if (!readings) {
-        report_message(message, "a damaged message");
+        report_message(message, fault_of(message));
         return;
     }
     for (const PoseReading& reading : *readings) {
@@ -330,9 +344,11 @@ void MessageLogStream::take_ground_truth(const McapMessage& message) {
             continue;
         }
         ++summary_.ground_truth;
-        ground_truth_.add({reading.stamp_ns, to_pose2(reading.frame_from_child)});
+        const std::int64_t stamp_ns =
+            ground_truth_times_.time_ns(reading.stamp_ns, reading.has_stamp, message.log_time_ns);
+        ground_truth_.add({stamp_ns, to_pose2(reading.frame_from_child)});
         for (WaitingScan& scan : waiting_) {
-            scan.has_ground_truth = scan.has_ground_truth || scan.frame.scan.stamp_ns <= reading.stamp_ns;
+            scan.has_ground_truth = scan.has_ground_truth || scan.frame.scan.stamp_ns <= stamp_ns;
         }
     }
 }
@@ -340,7 +356,7 @@ void MessageLogStream::take_ground_truth(const McapMessage& message) {
 void MessageLogStream::take_information(const McapMessage& message) {
     const std::optional<Eigen::Matrix3d> information = decode_information(message);
     if (!information) {
-        report_message(message, "a damaged message");
+        report_message(message, fault_of(message));
     }
     for (WaitingScan& scan : waiting_) {
         if (scan.frame.scan.stamp_ns == message.log_time_ns) {
@@ -404,7 +420,7 @@ SensorFrame MessageLogStream::release_first() {
 
 void MessageLogStream::time_beams(SensorFrame& frame) {
     const auto odometry_after = [&](double seconds) {
-        return odometry_.extended_at(moved(frame.scan.stamp_ns, std::llround(1e9 * seconds)));
+        return odometry_.extended_at(stamp_sum(frame.scan.stamp_ns, std::llround(1e9 * seconds)));
     };
     SweepTimer& timer = sweep_timers_[frame.lidar];
     if (timer.apply(frame, odometry_after)) {

@@ -75,6 +75,7 @@ private:
     MessageLogStream(LogPlan plan, std::unique_ptr<MessageSource> source, std::string file);
 
     void rehearse(const OpenSource& open);
+    void start_clocks();
     /// Set plan_ and source_; source_ then begins again with the first message.
     void survey(const OpenSource& open, const LogOptions& options);
     void survey_once(const OpenSource& open, const LogOptions& options);
@@ -117,6 +118,9 @@ private:
     PoseReader odometry_reader_;
     InterleavedPaths paths_;
     std::vector<SweepTimer> sweep_timers_;  ///< of each lidar
+    std::vector<StampReader> scan_times_;   ///< of each lidar
+    StampReader odom_times_;
+    StampReader ground_truth_times_;
     OdometryResets resets_;
     GyroOdometry gyro_odometry_;
     GyroTrial gyro_trial_;

@@ -30,8 +30,10 @@ PoseReading PoseReader::integrated(const VelocityReading& velocity) {
         pose = {moved.x_m, moved.y_m, wrap_angle(pose.theta_rad + turn_rad)};
     }
     before_ = velocity;
-    return {velocity.stamp_ns, is_fixed ? velocity.frame_id : "", is_fixed ? "" : velocity.frame_id,
-            to_isometry(to_ros_pose(odom_from_robot_))};
+    PoseReading reading{velocity.stamp_ns, is_fixed ? velocity.frame_id : "", is_fixed ? "" : velocity.frame_id,
+                        to_isometry(to_ros_pose(odom_from_robot_))};
+    reading.has_stamp = velocity.has_stamp;
+    return reading;
 }
 
 }  // namespace ddtool

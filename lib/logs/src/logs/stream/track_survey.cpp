@@ -36,7 +36,10 @@ void TrackSurvey::add(const PoseReading& reading, std::int64_t recorded_ns) {
         return;
     }
     ++usable_;
-    clock_.add(reading.stamp_ns, recorded_ns);
+    stamps_.add(reading.stamp_ns, reading.has_stamp, recorded_ns);
+    if (reading.has_stamp) {
+        clock_.add(reading.stamp_ns, recorded_ns);
+    }
     if (last_ns_ && intervals_s_.size() < most_intervals) {
         intervals_s_.push_back(1e-9 * (static_cast<double>(reading.stamp_ns) - static_cast<double>(*last_ns_)));
     }

@@ -8,6 +8,7 @@
 #include "logs/messages/readings.hpp"
 #include "logs/stream/clock_lag.hpp"
 #include "logs/stream/interleaved_paths.hpp"
+#include "logs/stream/stamp_survey.hpp"
 #include "logs/stream/turn_lag.hpp"
 
 namespace ddtool {
@@ -23,6 +24,7 @@ public:
     [[nodiscard]] std::size_t without_rotation() const { return without_rotation_; }
     /// Whether a pose is farther from the first one than 2 cm or 0.02 rad.
     [[nodiscard]] bool moves() const { return moves_; }
+    /// Of the readings that have a stamp.
     [[nodiscard]] const ClockLag& clock() const { return clock_; }
     [[nodiscard]] const HeadingTrack& heading() const { return heading_; }
     /// The median time between the first thousand readings; 0 if there are fewer than two.
@@ -31,6 +33,7 @@ public:
     /// there is one path.
     [[nodiscard]] std::vector<TrackSurvey> paths() const;
     [[nodiscard]] const InterleavedPaths& interleaved() const { return interleaved_; }
+    [[nodiscard]] const StampSurvey& stamps() const { return stamps_; }
 
 private:
     void add(const PoseReading& reading, std::int64_t recorded_ns);
@@ -45,6 +48,7 @@ private:
     HeadingTrack heading_;
     std::optional<std::int64_t> last_ns_;
     std::vector<double> intervals_s_;  ///< the first ones
+    StampSurvey stamps_;
 };
 
 }  // namespace ddtool
