@@ -9,7 +9,7 @@
 namespace ddtool {
 namespace {
 
-std::size_t size_of(PointNumber number) {
+std::size_t bytes_of(PointNumber number) {
     switch (number) {
         case PointNumber::int8:
         case PointNumber::uint8:
@@ -80,7 +80,7 @@ std::string find_axes(const PackedPoints& packed, std::array<PackedField, 3>& ax
         if (field == packed.fields.end()) {
             return "without the field " + name + " (its fields: " + names_of_fields(packed.fields) + ")";
         }
-        const std::size_t size = size_of(field->number);
+        const std::size_t size = bytes_of(field->number);
         if (size == 0 || std::uint64_t{field->offset} + size > packed.point_step) {
             return "whose field " + name + " is no number within its points (type " +
                    std::to_string(static_cast<int>(field->number)) + ", offset " + std::to_string(field->offset) +

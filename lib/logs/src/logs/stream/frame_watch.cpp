@@ -18,7 +18,7 @@ constexpr double least_pause_s = 2.0;
 constexpr double usual_scan_intervals = 10.0;
 constexpr double pause_motion_m = 1.0;
 constexpr double pause_motion_rad = 1.0;
-constexpr std::size_t most_intervals = 101;
+constexpr std::size_t intervals_kept = 101;
 
 bool is_nearer(const Pose2& a, const Pose2& b, double least_m, double least_rad) {
     const Pose2 apart = between(a, b);
@@ -127,7 +127,7 @@ void FrameWatch::check_pause(const SensorFrame& frame) {
     }
     if (pause_s > 0.0) {
         intervals_s_.push_back(pause_s);
-        if (intervals_s_.size() > most_intervals) {
+        if (intervals_s_.size() > intervals_kept) {
             intervals_s_.pop_front();
         }
     }

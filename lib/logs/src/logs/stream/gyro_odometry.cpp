@@ -7,8 +7,8 @@ namespace ddtool {
 namespace {
 
 /// Wheels that turned less than this stand still.
-constexpr double still_m = 1e-4;
-constexpr double still_rad = 1e-4;
+constexpr double wheels_stand_m = 1e-4;
+constexpr double wheels_stand_rad = 1e-4;
 /// A gyro that reads more than this besides its bias turns, though the wheels stand: the robot is carried.
 constexpr double still_rad_per_s = 0.05;
 /// What the scans said of the bias counts as much as so many seconds of standing still, and the last ones count most.
@@ -52,7 +52,7 @@ Pose2 GyroOdometry::corrected(const Pose2& motion, const StampedPose& before, co
         return motion;
     }
     const double turn_rad = *scale_ * *read_rad - bias_rad_per_s_ * duration_s;
-    if (std::hypot(motion.x_m, motion.y_m) < still_m && std::abs(motion.theta_rad) < still_rad &&
+    if (std::hypot(motion.x_m, motion.y_m) < wheels_stand_m && std::abs(motion.theta_rad) < wheels_stand_rad &&
         std::abs(turn_rad) < still_rad_per_s * duration_s) {
         still_s_ = std::min(still_s_ + duration_s, remembered_still_s);
         bias_rad_per_s_ += turn_rad / still_s_;

@@ -15,7 +15,7 @@ constexpr double longest_pair_s = 2.0;
 /// Of scans that lie on each other.
 constexpr double least_matched_share = 0.7;
 constexpr double largest_residual_m = 0.06;
-constexpr double rad_per_degree = std::numbers::pi / 180.0;
+constexpr double degree_rad = std::numbers::pi / 180.0;
 constexpr double fitting_share = 0.2;
 constexpr double most_medians = 3.0;
 constexpr int rounds = 3;
@@ -108,7 +108,7 @@ std::optional<GyroVerdict> GyroTrial::verdict() const {
     GyroVerdict verdict;
     verdict.pairs = pairs_.size();
     Fit best;
-    for (const double scale : {1.0, -1.0, rad_per_degree, -rad_per_degree}) {
+    for (const double scale : {1.0, -1.0, degree_rad, -degree_rad}) {
         Fit found = fit(gyro_turns_rad(scale), true);
         if (best.errors_rad.empty() || found.share < best.share) {
             best = std::move(found);

@@ -11,9 +11,9 @@ constexpr double noise = 0.02;
 constexpr double speed_change = 2.0;  ///< robots stop to drive and start to turn within one step of their odometry
 constexpr double first_speed = 2.0;   ///< of a path that has only one pose, whose speed is not known
 constexpr double longest_prediction_s = 0.5;
-constexpr double shortest_s = 0.01;  ///< stamps that are closer together are jitter
-constexpr double alive_s = 2.0;      ///< a path without poses for so long has ended
-constexpr double branch = 0.3;       ///< a path that begins no farther from another has branched off
+constexpr double shortest_interval_s = 0.01;  ///< stamps that are closer together are jitter
+constexpr double alive_s = 2.0;               ///< a path without poses for so long has ended
+constexpr double branch = 0.3;                ///< a path that begins no farther from another has branched off
 constexpr std::size_t least_changes = 20;
 constexpr double least_regular = 0.8;  ///< share of the intervals
 constexpr double times_larger = 5.0;
@@ -45,7 +45,7 @@ void InterleavedPaths::extend(Path& path, const StampedPose& pose) {
     if (path.count == 1 || error(path.now, pose) <= error(path.before, pose)) {
         path.before = path.now;
     }
-    const double divisor_s = std::max(since_s(path.before.last, pose), shortest_s);
+    const double divisor_s = std::max(since_s(path.before.last, pose), shortest_interval_s);
     const Pose2 step = between(path.before.last.pose, pose.pose);
     path.now = {pose, {step.x_m / divisor_s, step.y_m / divisor_s, step.theta_rad / divisor_s}};
     ++path.count;

@@ -6,7 +6,7 @@
 namespace ddtool {
 namespace {
 
-constexpr std::size_t most_samples = 1000;
+constexpr std::size_t most_periods = 1000;
 constexpr std::size_t most_lidars = 64;  // because in a damaged log every scan may be in another frame
 
 double median_of(std::vector<double> values) {
@@ -21,7 +21,7 @@ double median_of(std::vector<double> values) {
 }  // namespace
 
 void ScanRate::add(const LaserScan& scan, const std::string& frame_id) {
-    if (views_rad_.size() >= most_samples || scan.ranges_m.size() < 2 || !std::isfinite(scan.angle_increment_rad)) {
+    if (views_rad_.size() >= most_periods || scan.ranges_m.size() < 2 || !std::isfinite(scan.angle_increment_rad)) {
         return;
     }
     const double increment_rad = std::abs(scan.angle_increment_rad);
