@@ -38,13 +38,14 @@ std::optional<CloudReading> decode_cloud(const McapMessage& message);
 /// numbers or not measured.
 std::optional<ImuReading> decode_imu(const McapMessage& message);
 
-/// Whether the messages of a kind hold poses or transforms.
+/// Whether the messages of a kind hold poses or transforms, or velocities, from which PoseReader makes poses.
 inline bool has_poses(MessageKind kind) {
-    return kind == MessageKind::odometry || kind == MessageKind::pose || kind == MessageKind::transforms;
+    return kind == MessageKind::odometry || kind == MessageKind::pose || kind == MessageKind::transforms ||
+           kind == MessageKind::velocity;
 }
 
-/// Decodes a message of a kind that has poses by the same rules: one reading for odometry and poses, any number for
-/// transforms.
+/// Decodes a message that holds poses or transforms by the same rules: one reading for odometry and poses, any number
+/// for transforms.
 std::optional<std::vector<PoseReading>> decode_poses(const McapMessage& message);
 
 /// Decodes a message of the kind velocity by the same rules. Returns nullopt for a velocity that is not finite, too.

@@ -396,7 +396,11 @@ private:
                    (ahead_s > 0.0 ? "ahead of" : "behind") +
                    " that of the scans, as the times of recording show; this is taken off its stamps");
         }
-        find_delay(track, name, ahead_s);
+        // The turns were noted with the stamps of the messages.
+        if (scan_stamps.assumption.empty() && plan_.odom_stamps.assumption.empty()) {
+            plan_.odom_lag = turn_lag(scan_.turns, track.heading(), ahead_s);
+            plan_.takes_off_lag = !options_.odom_delay_s;
+        }
         return true;
     }
 
@@ -436,25 +440,6 @@ private:
         }
         blame(found + "; path " + std::to_string(number + 1) + " is used; --odom-path names another");
         return number;
-    }
-
-    /// Measures by how much the odometry is late by the turns, and takes it off where that is sure.
-    void find_delay(const TrackSurvey& track, const std::string& name, double ahead_s) {
-        if (!plan_.lidars.front().stamps.assumption.empty() || !plan_.odom_stamps.assumption.empty()) {
-            return;  // the turns were noted with the stamps of the messages, which are not used
-        }
-        const std::optional<TurnLag> lag = turn_lag(scan_.turns, track.heading(), ahead_s);
-        if (!lag) {
-            return;
-        }
-        plan_.odom_delay = {ahead_s + lag->late_s, lag->sigma_s};
-        if (lag->is_significant() && !options_.odom_delay_s) {
-            plan_.odom_clock_offset_ns = std::llround(-1e9 * (ahead_s + lag->late_s));
-            assume("the stamps of the odometry " + name + " are " + fixed_text(1e3 * std::abs(lag->late_s), 0) +
-                   " ms (+- " + fixed_text(1e3 * lag->sigma_s, 0) + ") " + (lag->late_s > 0.0 ? "late" : "early") +
-                   " against those of the scans, as the turns of both show; this is taken off; --odom-delay names "
-                   "another delay, --odom-delay 0 none");
-        }
     }
 
     /// Takes the odometry from transforms: odom_from_robot, where odom is the frame that has such a name, or otherwise

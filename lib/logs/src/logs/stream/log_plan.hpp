@@ -10,6 +10,7 @@
 #include "logs/stream/laser_mounting.hpp"
 #include "logs/stream/log_survey.hpp"
 #include "logs/stream/sweep_timer.hpp"
+#include "logs/stream/turn_lag.hpp"
 
 namespace ddtool {
 
@@ -40,8 +41,9 @@ struct LogPlan {
     StampRule ground_truth_stamps;
     /// What is added to the stamps of the odometry, because its clock is not that of the scans.
     std::int64_t odom_clock_offset_ns = 0;
-    std::optional<OdometryDelay> odom_delay;  ///< as the turns show it, before anything is taken off
-    double odom_interval_s = 0.0;             ///< the usual time between two poses of the odometry; 0: unknown
+    std::optional<TurnLag> odom_lag;  ///< what is left after odom_clock_offset_ns, as the turns show it
+    bool takes_off_lag = false;       ///< where it is significant; false where the options name a delay
+    double odom_interval_s = 0.0;     ///< the usual time between two poses of the odometry; 0: unknown
     /// Where the lasers are on the robot, by the frame of their scans.
     std::map<std::string, Eigen::Isometry3d> robot_from_laser;
     /// For scans in frames without an entry there; empty: such scans cannot be used.

@@ -38,6 +38,7 @@ MessageLogStream::MessageLogStream(const OpenSource& open, Opening opening, std:
         survey_once(open, options);
         sweep_timers_ = timers_of(plan_);
     }
+    take_off_lag();
     gaps_ = OdometryGaps(plan_.odom_interval_s);
     summary_.format = std::move(format);
     for (const LidarPlan& lidar : plan_.lidars) {
@@ -49,7 +50,6 @@ MessageLogStream::MessageLogStream(const OpenSource& open, Opening opening, std:
     }
     summary_.odom_topic = plan_.odom_topic;
     summary_.has_odometry = !plan_.odom_topic.empty();
-    summary_.odom_delay = plan_.odom_delay;
     summary_.odom_delay_removed_s = -1e-9 * static_cast<double>(plan_.odom_clock_offset_ns);
     summary_.ground_truth_topic = plan_.ground_truth_topic;
     summary_.assumptions.insert(summary_.assumptions.begin(), plan_.assumptions.begin(), plan_.assumptions.end());
@@ -67,6 +67,27 @@ MessageLogStream::MessageLogStream(LogPlan plan, std::unique_ptr<MessageSource> 
       sweep_timers_(timers_of(plan_)) {
     start_clocks();
     gaps_ = OdometryGaps(plan_.odom_interval_s);
+}
+
+/// Takes off what the turns show the odometry to be late, where that is sure. It depends on when the beams of a scan
+/// are measured.
+void MessageLogStream::take_off_lag() {
+    if (!plan_.odom_lag) {
+        return;
+    }
+    TurnLag lag = *plan_.odom_lag;
+    lag.late_s -= sweep_timers_.front().middle_s();
+    const double before_s = -1e-9 * static_cast<double>(plan_.odom_clock_offset_ns);
+    summary_.odom_delay = {before_s + lag.late_s, lag.sigma_s};
+    if (plan_.takes_off_lag && lag.is_significant()) {
+        plan_.odom_clock_offset_ns = std::llround(-1e9 * (before_s + lag.late_s));
+        summary_.assumptions.push_back(file_ + ": the stamps of the odometry " + plan_.odom_topic + " are " +
+                                       fixed_text(1e3 * std::abs(lag.late_s), 0) + " ms (+- " +
+                                       fixed_text(1e3 * lag.sigma_s, 0) + ") " + (lag.late_s > 0.0 ? "late" : "early") +
+                                       " against those of the scans, as the turns of both show; this is taken off; "
+                                       "--odom-delay names another delay, --odom-delay 0 none");
+    }
+    plan_.odom_lag.reset();
 }
 
 void MessageLogStream::start_clocks() {
@@ -92,6 +113,7 @@ void MessageLogStream::rehearse(const OpenSource& open) {
         return;
     }
     MessageLogStream rehearsal(plan_, open([](const LogProblem&) {}), file_);
+    rehearsal.take_off_lag();
     while (!rehearsal.is_settled() && rehearsal.summary().scans < most_rehearsed && rehearsal.next()) {
     }
     gyro_trial_ = rehearsal.gyro_trial_;

@@ -76,6 +76,7 @@ private:
 
     void rehearse(const OpenSource& open);
     void start_clocks();
+    void take_off_lag();
     /// Set plan_ and source_; source_ then begins again with the first message.
     void survey(const OpenSource& open, const LogOptions& options);
     void survey_once(const OpenSource& open, const LogOptions& options);

@@ -39,6 +39,7 @@ std::string ms_text(double seconds) { return fixed_text(1e3 * seconds, 1) + " ms
 
 SweepTiming find_sweep_timing(const ScanRate& rate) {
     SweepTiming timing;
+    timing.view_rad = std::min(rate.view_rad(), turn_rad);
     const double period_s = rate.period_s();
     const bool turns_once_a_scan = period_s >= shortest_turn_s && period_s <= longest_turn_s;
     const double stated_s = rate.time_increment_s();
@@ -68,7 +69,10 @@ SweepTiming find_sweep_timing(const ScanRate& rate) {
     return timing;
 }
 
-SweepTimer::SweepTimer(const SweepTiming& timing) : turns_s_(timing.turns_s), trial_(timing.turns_s.size()) {}
+SweepTimer::SweepTimer(const SweepTiming& timing)
+    : turns_s_(timing.turns_s), view_rad_(timing.view_rad), trial_(timing.turns_s.size()) {}
+
+double SweepTimer::middle_s() const { return 0.5 * std::abs(turns_s_[trial_.chosen()]) * view_rad_ / turn_rad; }
 
 double SweepTimer::longest_s(const LaserScan& scan) const {
     const double longest_turn =

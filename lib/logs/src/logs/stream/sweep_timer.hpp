@@ -14,7 +14,8 @@ namespace ddtool {
 struct SweepTiming {
     /// 0: all beams are measured at once; negative: from the last beam to the first. The first is assumed.
     std::vector<double> turns_s{0.0};
-    std::string doubt;  ///< one line if what the scans state cannot be true; otherwise empty
+    double view_rad = 0.0;  ///< of a scan, from its first beam to its last
+    std::string doubt;      ///< one line if what the scans state cannot be true; otherwise empty
 };
 
 /// By what the scans state, if their beams fit between two scans. Otherwise, if they state a time, by the rate of the
@@ -31,6 +32,9 @@ public:
     /// The time from the stamp of a scan to the last of its beams, by the slowest candidate.
     [[nodiscard]] double longest_s(const LaserScan& scan) const;
 
+    /// The time from the stamp of a scan to the middle of its beams, by the timing that the scans have shown so far.
+    [[nodiscard]] double middle_s() const;
+
     /// Whether further scans cannot change the timing.
     [[nodiscard]] bool is_settled() const;
     /// Keeps the timing that the scans have shown so far.
@@ -45,6 +49,7 @@ public:
 
 private:
     std::vector<double> turns_s_;
+    double view_rad_;
     SweepTrial trial_;
 };
 

@@ -150,19 +150,12 @@ void ScanTurns::add(const LaserScan& scan) {
     }
     if (before_) {
         ++compared_;
-        // Without signs, because the stamps of a damaged log may be at the ends of what a signed number can hold.
-        const auto middle_ns = [](const LaserScan& each) {
-            const double sweep_s = each.time_increment_s * static_cast<double>(each.ranges_m.size());
-            const double half_ns = std::isfinite(sweep_s) ? std::clamp(0.5e9 * sweep_s, 0.0, 1e9) : 0.0;
-            return static_cast<std::int64_t>(static_cast<std::uint64_t>(each.stamp_ns) +
-                                             static_cast<std::uint64_t>(half_ns));
-        };
         const double step_s = 1e-9 * (static_cast<double>(scan.stamp_ns) - static_cast<double>(before_->stamp_ns));
         const std::optional<double> turn =
             step_s > 0.0 && step_s < longest_step_s ? turn_between(*before_, scan) : std::nullopt;
         const bool turns = turn && std::abs(*turn) > least_turn_rad;
         if (turn && (turns || turned_)) {
-            pairs_.push_back({middle_ns(*before_), middle_ns(scan), *turn});
+            pairs_.push_back({before_->stamp_ns, scan.stamp_ns, *turn});
         }
         turned_ = turns;
     }

@@ -17,7 +17,7 @@ public:
     static constexpr std::size_t most_pairs = 2000;
     static constexpr std::size_t most_compared = 20'000;
 
-    /// One step from a scan to the next. The moments are those of the middles of the scans.
+    /// One step from a scan to the next, with their stamps.
     struct Pair {
         std::int64_t from_ns = 0;
         std::int64_t to_ns = 0;
@@ -57,6 +57,8 @@ private:
 
 /// By how much the stamps of odometry are late against those of the scans.
 struct TurnLag {
+    /// As if all beams of a scan were measured at its stamp. Where they are measured one after the other, what the
+    /// turns show is the moment of the middle beam, by which this is too large.
     double late_s = 0.0;
     double sigma_s = 0.0;     ///< standard deviation
     double scale = 1.0;       ///< the scans' turns divided by the odometry's; negative for a lidar upside down
