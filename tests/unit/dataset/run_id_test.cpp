@@ -65,10 +65,10 @@ TEST(RunId, TellsThePlainFilterFromGmappingThoughItOnceHadThatName) {
     EXPECT_NE(run_id(gmapping), run_id(plain));
     const std::string before = run_id(gmapping);
     for (Json* const each : {&plain, &gmapping}) {
-        (*each)["filter"]["gmapping"]["update_distance_m"] = 0.25;
+        (*each)["filter"]["gmapping"]["update_distance_m"] = 0.625;
     }
     EXPECT_NE(run_id(gmapping), before);
-    EXPECT_EQ(identity_of(plain).at("filter").dump().find("0.25"), std::string::npos);
+    EXPECT_EQ(identity_of(plain).at("filter").dump().find("0.625"), std::string::npos);
 }
 
 TEST(RunId, OfSnapshotsIsOfTheirConfigurationAsItIs) {
