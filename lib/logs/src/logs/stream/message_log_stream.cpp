@@ -79,7 +79,8 @@ void MessageLogStream::take_off_lag() {
     lag.late_s -= sweep_timers_.front().middle_s();
     const double before_s = -1e-9 * static_cast<double>(plan_.odom_clock_offset_ns);
     summary_.odom_delay = {before_s + lag.late_s, lag.sigma_s};
-    if (plan_.takes_off_lag && lag.is_significant()) {
+    // Where a log is read once, it is not yet known when the beams are measured, and a sweep looks like a delay.
+    if (plan_.takes_off_lag && !is_read_once_ && lag.is_significant()) {
         plan_.odom_clock_offset_ns = std::llround(-1e9 * (before_s + lag.late_s));
         summary_.assumptions.push_back(file_ + ": the stamps of the odometry " + plan_.odom_topic + " are " +
                                        fixed_text(1e3 * std::abs(lag.late_s), 0) + " ms (+- " +
