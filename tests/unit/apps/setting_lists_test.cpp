@@ -95,12 +95,17 @@ std::vector<Json> refused_by(const Setting& setting) {
             return {"no such word", 1};
         case Allowed::Kind::flag:
             return {1, "true"};
-        case Allowed::Kind::numbers:
-            // Only lists of a fixed length can be too short.
-            if (allowed.count == 0) {
-                return {{1.0, 2.0, nan}, {1.0, 2.0, allowed.most + 1.0}, "1"};
+        case Allowed::Kind::numbers: {
+            std::vector<double> with_nan(allowed.count == 0 ? 3 : allowed.count, 1.0);
+            with_nan.back() = nan;
+            std::vector<double> too_large = with_nan;
+            too_large.back() = allowed.most + 1.0;
+            std::vector<Json> refused{with_nan, too_large, "1"};
+            if (allowed.count > 0) {
+                refused.emplace_back(std::vector<double>(allowed.count + 1, 1.0));
             }
-            return {{1.0}, {1.0, 2.0, nan}, {1.0, 2.0, allowed.most + 1.0}, "1"};
+            return refused;
+        }
         case Allowed::Kind::text:
         case Allowed::Kind::other:
             break;

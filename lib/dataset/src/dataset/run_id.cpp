@@ -50,6 +50,9 @@ Json identity_of_filter(Json filter) {
     if (filter.at("gate").get<std::string>().empty()) {
         filter.erase("gate");
     }
+    if (filter.at("points").at("deskew") == true) {
+        filter["points"].erase("deskew");  // it makes no difference to scans that were measured all at once, as all were
+    }
     filter["points"]["normal_radius_m"] = ScanPoints::normal_radius_m;
     filter["points"]["line_flatness"] = ScanPoints::line_flatness;
     filter["fusion"] =
