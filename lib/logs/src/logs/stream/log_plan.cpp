@@ -327,7 +327,7 @@ private:
 
     void assume_none() {
         if (plan_.odom_topic.empty()) {
-            assume("no odometry; the robot's own motion is unknown and taken as none");
+            assume("no odometry; the motion has to be worked out from the scans");
         }
     }
 
