@@ -51,7 +51,7 @@ Json identity_of_filter(Json filter) {
         filter.erase("gate");
     }
     if (filter.at("points").at("deskew") == true) {
-        filter["points"].erase("deskew");  // it makes no difference to scans that were measured all at once, as all were
+        filter["points"].erase("deskew");  // makes no difference to scans that were measured at once, as all were then
     }
     filter["points"]["normal_radius_m"] = ScanPoints::normal_radius_m;
     filter["points"]["line_flatness"] = ScanPoints::line_flatness;
@@ -63,7 +63,18 @@ Json identity_of_filter(Json filter) {
 
 }  // namespace
 
+Json identity_of_simulation(Json simulation) {
+    Json& odometry = simulation.at("odometry");
+    if (odometry.contains("turn_error") && odometry.at("turn_error").is_null()) {
+        odometry.erase("turn_error");
+    }
+    return simulation;
+}
+
 Json identity_of(Json configuration) {
+    if (configuration.contains("simulation")) {
+        configuration["simulation"] = identity_of_simulation(configuration.at("simulation"));
+    }
     if (configuration.contains("filter")) {
         configuration["filter"] = identity_of_filter(configuration.at("filter"));
     }

@@ -10,4 +10,7 @@ namespace ddtool::dataset {
 /// contain settings that change no snapshot.
 Json identity_of(Json configuration);
 
+/// The same for the settings of a simulation alone.
+Json identity_of_simulation(Json simulation);
+
 }  // namespace ddtool::dataset

@@ -90,16 +90,17 @@ private:
             RunEntry entry = entry_of(item, filter_settings, plain_name(world));
             entry.lidar = simulation.at("lidar").at("preset").get<std::string>();
             entry.odometry = simulation.at("odometry").at("preset").get<std::string>();
-            add_run(std::move(entry),
-                    WorldRun{.world = world,
-                             .simulation = sim::simulation_from_json(simulation),
-                             .most_particle_updates = most_particle_updates,
-                             .filter = filter_settings,
-                             .drive_key = Fingerprint().add(world).add(simulation.dump()).value()},
-                    {{"world", sim::world_fingerprint(sim::load_world(world))},
-                     {"simulation", simulation},
-                     {"most_particle_updates", most_particle_updates},
-                     {"filter", filter}});
+            add_run(
+                std::move(entry),
+                WorldRun{.world = world,
+                         .simulation = sim::simulation_from_json(simulation),
+                         .most_particle_updates = most_particle_updates,
+                         .filter = filter_settings,
+                         .drive_key = Fingerprint().add(world).add(identity_of_simulation(simulation).dump()).value()},
+                {{"world", sim::world_fingerprint(sim::load_world(world))},
+                 {"simulation", simulation},
+                 {"most_particle_updates", most_particle_updates},
+                 {"filter", filter}});
         }
     }
 
