@@ -17,7 +17,7 @@
 #include "run/live_server.hpp"
 #include "run/run_folder.hpp"
 #include "run/run_page.hpp"
-#include "run/run_report.hpp"
+#include "run/run_summary.hpp"
 #include "slam_report.hpp"
 #include "system/interrupt.hpp"
 #include "system/log.hpp"
@@ -94,7 +94,7 @@ std::vector<std::string> doubts_of(const check::Verdict& verdict) {
     return lines;
 }
 
-CostReport cost_report(std::size_t threads, Clock::time_point start) {
+RunCost run_cost(std::size_t threads, Clock::time_point start) {
     const ProcessUsage usage = process_usage();
     return {.threads = threads,
             .wall_s = std::chrono::duration<double>(Clock::now() - start).count(),
@@ -143,23 +143,23 @@ ExitCode slam(const SlamRequest& request, const Json& settings) {
     }
     folder.finish(result, map);
     folder.write_json("config.json", settings);
-    const RunReport run = run_report(result, map, folder.course(), folder.write_s());
-    const CostReport cost = cost_report(request.threads, start);
+    const RunSummary run = run_summary(result, map, folder.course(), folder.write_s());
+    const RunCost cost = run_cost(request.threads, start);
     const check::Evidence evidence = check.evidence(result.trajectory);
     const check::Verdict verdict = check::verdict_of(evidence);
     const Json log = log_report(request.log, scans.summary());
     const Json versions = version_report();
-    const Json report{{"command", "slam"},
-                      {"versions", versions},
-                      {"settings", settings},
-                      {"parts", parts_json(filter_settings.method)},
-                      {"log", log},
-                      {"interrupted", interrupt.made()},
-                      {"ended_early", result.ended_early},
-                      {"run", to_run_json(run)},
-                      {"self_check", check::self_check_json(verdict, evidence)},
-                      {"cost", cost}};
-    folder.write_json("run.json", report);
+    const Json results{{"command", "slam"},
+                       {"versions", versions},
+                       {"settings", settings},
+                       {"parts", parts_json(filter_settings.method)},
+                       {"log", log},
+                       {"interrupted", interrupt.made()},
+                       {"ended_early", result.ended_early},
+                       {"run", to_run_json(run)},
+                       {"self_check", check::self_check_json(verdict, evidence)},
+                       {"cost", cost}};
+    folder.write_json("run.json", results);
     std::vector<std::string> losses = shortfalls(request.log, scans.summary(), interrupt, result);
     const std::vector<std::string> doubts = doubts_of(verdict);
     losses.insert(losses.end(), doubts.begin(), doubts.end());
@@ -171,7 +171,7 @@ ExitCode slam(const SlamRequest& request, const Json& settings) {
                          .run = result,
                          .map = map,
                          .course = folder.course(),
-                         .report = run,
+                         .summary = run,
                          .cost = cost,
                          .self_check = check::name_of(verdict.standing),
                          .image = image_seen_by(parts_of(filter_settings.method).detector),
@@ -179,7 +179,7 @@ ExitCode slam(const SlamRequest& request, const Json& settings) {
                          .log = log,
                          .versions = versions});
     });
-    std::cout << (request.as_json ? report.dump(2) + "\n"
+    std::cout << (request.as_json ? results.dump(2) + "\n"
                                   : slam_summary(run, cost, check::name_of(verdict.standing), output.path().string(),
                                                  folder.files()));
     const ExitCode log_loss = problems.finish(scans.summary());

@@ -30,7 +30,7 @@ Json version_report() {
     return report;
 }
 
-std::string slam_summary(const RunReport& run, const CostReport& cost, const std::string& self_check,
+std::string slam_summary(const RunSummary& run, const RunCost& cost, const std::string& self_check,
                          const std::string& folder, const std::vector<std::string>& files) {
     std::string text = "scans    " + std::to_string(run.scans) + " in " + fixed_text(run.duration_s, 1) + " s; " +
                        std::to_string(run.updates) + " filter updates, " + std::to_string(run.resamplings) +

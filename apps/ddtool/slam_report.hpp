@@ -5,7 +5,7 @@
 
 #include "ddtool/logs/log_stream.hpp"
 #include "ddtool/system/settings.hpp"
-#include "run/run_report.hpp"
+#include "run/run_summary.hpp"
 
 namespace ddtool {
 
@@ -16,7 +16,7 @@ Json log_report(const std::string& file, const LogSummary& log);
 Json version_report();
 
 /// The summary of a run that is printed for the user. `self_check`: the verdict of the self-check, in a word.
-std::string slam_summary(const RunReport& run, const CostReport& cost, const std::string& self_check,
+std::string slam_summary(const RunSummary& run, const RunCost& cost, const std::string& self_check,
                          const std::string& folder, const std::vector<std::string>& files);
 
 }  // namespace ddtool

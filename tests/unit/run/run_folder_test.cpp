@@ -5,7 +5,7 @@
 
 #include <set>
 
-#include "run/run_report.hpp"
+#include "run/run_summary.hpp"
 #include "small_run.hpp"
 #include "system/atomic_file.hpp"
 #include "temporary_folder.hpp"
@@ -72,11 +72,11 @@ TEST(RunFolder, IsNamedWhereItCannotBeMade) {
     EXPECT_THAT(test::thrown_text([&] { RunFolder(folder / "file/out", false); }), testing::HasSubstr("file/out: "));
 }
 
-TEST(RunReport, CountsAndScores) {
+TEST(RunSummary, CountsAndScores) {
     test::SmallRun small;
     std::size_t scans = 0;
     const FilterRun run = small.run([&](const SensorFrame&, const std::optional<Update>&) { return ++scans > 0; });
-    const Json report = to_run_json(run_report(run, map_raster(run.map), {}, 0.0));
+    const Json report = to_run_json(run_summary(run, map_raster(run.map), {}, 0.0));
     EXPECT_EQ(report.at("scans"), scans);
     EXPECT_NEAR(report.at("path_m"), 6.0, 0.6);
     EXPECT_NEAR(report.at("map").at("width_m"), 6.0, 0.3);
@@ -84,7 +84,7 @@ TEST(RunReport, CountsAndScores) {
     EXPECT_GT(report.at("stages").at("match_s"), 0.0);
 }
 
-TEST(RunReport, TellsHowLongStepsTook) {
+TEST(RunSummary, TellsHowLongStepsTook) {
     EXPECT_TRUE(to_run_json({}).at("step_ms").is_null());
     test::SmallRun small;
     RunCourse course;
@@ -94,16 +94,16 @@ TEST(RunReport, TellsHowLongStepsTook) {
         }
         return true;
     });
-    const Json steps = to_run_json(run_report(run, map_raster(run.map), course, 0.0)).at("step_ms");
+    const Json steps = to_run_json(run_summary(run, map_raster(run.map), course, 0.0)).at("step_ms");
     EXPECT_GT(steps.at("median"), 0.0);
     EXPECT_GE(steps.at("p99"), steps.at("median"));
     EXPECT_GE(steps.at("most"), steps.at("p99"));
 }
 
-TEST(RunReport, HasNoErrorsWithoutTheTruth) {
+TEST(RunSummary, HasNoErrorsWithoutTheTruth) {
     FilterRun run;
     run.trajectory = {{0, {}}};
-    EXPECT_FALSE(to_run_json(run_report(run, map_raster(run.map), {}, 0.0)).contains("errors"));
+    EXPECT_FALSE(to_run_json(run_summary(run, map_raster(run.map), {}, 0.0)).contains("errors"));
 }
 
 }  // namespace

@@ -16,8 +16,8 @@ namespace ddtool {
 namespace {
 
 std::vector<report::Fact> facts_of(const RunPageContent& content) {
-    const RunReport& run = content.report;
-    const CostReport& cost = content.cost;
+    const RunSummary& run = content.summary;
+    const RunCost& cost = content.cost;
     const auto length = [](double length_m, int decimals) { return fixed_text(length_m, decimals) + " m"; };
     std::vector<report::Fact> facts{
         {"self-check", content.self_check},
@@ -82,7 +82,7 @@ void add_worst_moments(report::Page& page, const RunCourse& course, const RunExp
     page.moments(moments);
 }
 
-Table stage_table(const RunReport& run) {
+Table stage_table(const RunSummary& run) {
     Table table({{"stage"}, {"wall time [s]"}});
     for (const auto& [name, seconds] : stages_of(run)) {
         table.add_row({name.substr(0, name.rfind("_s")), seconds});
@@ -102,12 +102,12 @@ report::Page run_page(const RunPageContent& content) {
             "marks at the bottom of the effective sample size are resamplings.")
         .explorer(explorer.data);
     add_worst_moments(page, content.course, explorer, content.image);
-    if (content.report.errors) {
+    if (content.summary.errors) {
         page.section("Errors against the ground truth")
             .text("The path is aligned with the truth first (SE(2)).")
-            .table(score_table(*content.report.errors));
+            .table(score_table(*content.summary.errors));
     }
-    page.section("Where the time went").table(stage_table(content.report));
+    page.section("Where the time went").table(stage_table(content.summary));
     page.section("Settings and versions")
         .values("Settings", content.settings)
         .values("Log", content.log)

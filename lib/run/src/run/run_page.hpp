@@ -9,7 +9,7 @@
 #include "report/map_raster.hpp"
 #include "report/page.hpp"
 #include "run/run_course.hpp"
-#include "run/run_report.hpp"
+#include "run/run_summary.hpp"
 
 namespace ddtool {
 
@@ -20,8 +20,8 @@ struct RunPageContent {
     const FilterRun& run;
     const MapRaster& map;
     const RunCourse& course;
-    const RunReport& report;
-    const CostReport& cost;
+    const RunSummary& summary;
+    const RunCost& cost;
     std::string self_check;  ///< the verdict, in a word; its reasons are among the warnings
     ImageSettings image;     ///< how the worst moments are drawn
     const Json& settings;    ///< shown unchanged

@@ -19,7 +19,7 @@ struct StepTimes {
 };
 
 /// What one run of the filter did, for run.json, the printed summary and the report page.
-struct RunReport {
+struct RunSummary {
     std::size_t scans = 0;
     std::uint64_t updates = 0;
     std::uint64_t resamplings = 0;
@@ -35,22 +35,22 @@ struct RunReport {
     std::optional<StepTimes> step;          ///< empty if there was no update
 };
 
-RunReport run_report(const FilterRun& run, const MapRaster& map, const RunCourse& course, double write_s);
+RunSummary run_summary(const FilterRun& run, const MapRaster& map, const RunCourse& course, double write_s);
 
-/// The report in the form of run.json (docs/formats/results.md).
-Json to_run_json(const RunReport& report);
+/// The summary in the form of run.json (docs/formats/results.md).
+Json to_run_json(const RunSummary& summary);
 
 /// The time and memory that a run took.
-struct CostReport {
+struct RunCost {
     std::size_t threads = 0;  ///< as configured; 0 stands for all cores
     double wall_s = 0.0;
     double cpu_s = 0.0;
     std::int64_t peak_memory_bytes = 0;
 };
-void to_json(Json& json, const CostReport& cost);
+void to_json(Json& json, const RunCost& cost);
 
 /// The seconds spent in each stage, in the order in which the stages follow each other, with their names: {"read_s",
 /// ...}.
-std::vector<std::pair<std::string, double>> stages_of(const RunReport& report);
+std::vector<std::pair<std::string, double>> stages_of(const RunSummary& summary);
 
 }  // namespace ddtool
