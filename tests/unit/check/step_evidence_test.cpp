@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+
+#include "box_scan.hpp"
 
 namespace ddtool::check {
 namespace {
@@ -49,6 +52,23 @@ TEST(StepEvidence, MotionIsLostInAPauseInMidDrive) {
     EXPECT_EQ(evidence_of_drive(driven_on).lost, 0U);
     const std::vector<std::pair<double, double>> stood{{0.0, 0.0}, {0.2, 0.0}, {10.2, 0.0}, {10.4, 0.1}};
     EXPECT_EQ(evidence_of_drive(stood).lost, 0U);
+}
+
+TEST(StepEvidence, NoMotionIsLostWhereTheScansBeforeAndAfterThePauseAgree) {
+    const auto lost_with = [](double truth_after_m) {
+        StepWitness witness;
+        const std::vector<std::array<double, 3>> time_truth_odometry{
+            {0.0, 0.0, 0.0}, {0.2, 0.2, 0.2}, {10.2, truth_after_m, 0.2}, {10.4, truth_after_m + 0.2, 0.4}};
+        for (const auto& [time_s, truth_m, odometry_m] : time_truth_odometry) {
+            SensorFrame frame = test::seen_from({truth_m, 0.0, 0.0});
+            frame.scan.stamp_ns = std::llround(1e9 * time_s);
+            frame.odom_from_robot = {odometry_m, 0.0, 0.0};
+            witness.add(frame);
+        }
+        return witness.evidence().lost;
+    };
+    EXPECT_EQ(lost_with(0.2), 0U) << "the recorder left out a robot at rest";
+    EXPECT_EQ(lost_with(2.0), 1U);
 }
 
 TEST(StepEvidence, StampsThatStandStillOrStepBackAreLeftOut) {

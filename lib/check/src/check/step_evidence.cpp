@@ -2,6 +2,9 @@
 
 #include <algorithm>
 
+#include "check/scan_pairs.hpp"
+#include "check/sight.hpp"
+
 namespace ddtool::check {
 namespace {
 
@@ -19,12 +22,21 @@ constexpr double least_moved = 0.1;
 }  // namespace
 
 void StepWitness::add(const SensorFrame& frame) {
-    const std::int64_t stamp_ns = frame.scan.stamp_ns;
-    if (pose_ && stamp_ns > stamp_ns_) {
-        judge({1e-9 * static_cast<double>(stamp_ns - stamp_ns_), distance_m(*pose_, frame.odom_from_robot)});
+    if (latest_ && frame.scan.stamp_ns > latest_->scan.stamp_ns) {
+        const double duration_s = 1e-9 * static_cast<double>(frame.scan.stamp_ns - latest_->scan.stamp_ns);
+        judge({.duration_s = duration_s,
+               .distance_m = distance_m(latest_->odom_from_robot, frame.odom_from_robot),
+               .scans_differ = duration_s > least_pause_s && differs_from_latest(frame)});
     }
-    pose_ = frame.odom_from_robot;
-    stamp_ns_ = stamp_ns;
+    latest_ = frame;
+}
+
+/// Whether the scan cannot be from where the odometry puts it relative to the latest one. Recorders that leave out the
+/// scans of a robot at rest make pauses, too, but there the scans agree.
+bool StepWitness::differs_from_latest(const SensorFrame& frame) const {
+    const Agreement found =
+        agreement(Sight(*latest_), Sight(frame), between(latest_->odom_from_robot, frame.odom_from_robot));
+    return found.same == 0 || found.contradicted() > PairEvidence::bad_pair;
 }
 
 void StepWitness::judge(const Step& step) {
@@ -37,7 +49,7 @@ void StepWitness::judge(const Step& step) {
         const double least_speed = std::min(before_last_->speed_m_per_s(), step.speed_m_per_s());
         const bool pause = last_->duration_s > least_pause_s &&
                            last_->duration_s > pause_share * std::max(before_last_->duration_s, step.duration_s);
-        if (pause && least_speed > drives_m_per_s &&
+        if (pause && last_->scans_differ && least_speed > drives_m_per_s &&
             last_->distance_m < least_moved * least_speed * last_->duration_s) {
             ++evidence_.lost;
             evidence_.longest_lost_s = std::max(evidence_.longest_lost_s, last_->duration_s);

@@ -13,7 +13,8 @@ struct StepEvidence {
     /// Steps in which the robot stood still and then was far away one scan later: an odometry that is held, or that is
     /// stamped in whole seconds.
     std::uint64_t stairs = 0;
-    /// Pauses of the scans in which the robot was at speed before and after, and did not move in between.
+    /// Pauses of the scans in which the robot was at speed before and after, and by the odometry did not move in
+    /// between, although the scans before and after contradict that.
     std::uint64_t lost = 0;
     double longest_lost_s = 0.0;
 };
@@ -28,13 +29,14 @@ private:
     struct Step {
         double duration_s = 0.0;
         double distance_m = 0.0;
+        bool scans_differ = false;  ///< found for long steps alone
         [[nodiscard]] double speed_m_per_s() const { return distance_m / duration_s; }
     };
     void judge(const Step& step);
+    [[nodiscard]] bool differs_from_latest(const SensorFrame& frame) const;
 
     StepEvidence evidence_;
-    std::optional<Pose2> pose_;
-    std::int64_t stamp_ns_ = 0;
+    std::optional<SensorFrame> latest_;
     std::optional<Step> last_, before_last_;
 };
 
