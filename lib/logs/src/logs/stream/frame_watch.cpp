@@ -110,16 +110,22 @@ void FrameWatch::end() {
     }
 }
 
+std::optional<double> FrameWatch::usual_interval_s() const {
+    if (intervals_s_.empty()) {
+        return std::nullopt;
+    }
+    std::vector<double> sorted(intervals_s_.begin(), intervals_s_.end());
+    const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
+    std::ranges::nth_element(sorted, middle);
+    return *middle;
+}
+
 void FrameWatch::check_pause(const SensorFrame& frame) {
     if (!before_) {
         return;
     }
     const double pause_s = 1e-9 * (static_cast<double>(frame.scan.stamp_ns) - static_cast<double>(before_->stamp_ns));
-    std::vector<double> sorted(intervals_s_.begin(), intervals_s_.end());
-    const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
-    std::ranges::nth_element(sorted, middle);
-    const double usual_s = sorted.empty() ? pause_s : *middle;
-    if (pause_s > std::max(least_pause_s, usual_scan_intervals * usual_s) &&
+    if (pause_s > least_pause_s && pause_s > usual_scan_intervals * usual_interval_s().value_or(pause_s) &&
         !is_nearer(before_->pose, frame.odom_from_robot, pause_motion_m, pause_motion_rad)) {
         findings_.push_back("there are no scans from " + at(before_->stamp_ns) + " to " + at(frame.scan.stamp_ns) +
                             ", while the odometry moves by " +

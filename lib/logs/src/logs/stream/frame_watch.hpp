@@ -48,6 +48,8 @@ private:
     void release_waiting();
     void end_stuck_part();
     void check_pause(const SensorFrame& frame);
+    /// The median of the latest intervals; empty before the second scan.
+    [[nodiscard]] std::optional<double> usual_interval_s() const;
     [[nodiscard]] std::size_t places_passed(const SensorFrame& frame);
     [[nodiscard]] std::string at(std::int64_t stamp_ns) const;
 

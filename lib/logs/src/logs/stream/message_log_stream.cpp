@@ -226,7 +226,7 @@ void MessageLogStream::take_scan(const McapMessage& message, std::size_t lidar) 
 void MessageLogStream::take_cloud(const McapMessage& message, std::size_t lidar) {
     std::optional<CloudReading> reading = decode_cloud(message);
     if (!reading || !reading->fault.empty() || reading->points_m.empty()) {
-        report_message(message, !reading                 ? "a damaged message"
+        report_message(message, !reading                 ? fault_of(message)
                                 : reading->fault.empty() ? "a cloud without points"
                                                          : "a cloud " + reading->fault);
         return;
@@ -310,7 +310,7 @@ void MessageLogStream::release_odometry(bool at_end) {
 void MessageLogStream::take_rates(const McapMessage& message) {
     const std::optional<ImuReading> reading = decode_imu(message);
     if (!reading) {
-        report_message(message, "a damaged message");
+        report_message(message, fault_of(message));
         return;
     }
     gyro_odometry_.add_rate(stamp_sum(reading->stamp_ns, plan_.imu_clock_offset_ns),
