@@ -66,8 +66,9 @@ struct RosTFMessage {
     static void fields(auto& message, auto& archive) { archive(message.transforms); }
 };
 
-struct RosLaserScan {
-    static constexpr const char* type_name = "sensor_msgs/msg/LaserScan";
+/// The fields of LaserScan and MultiEchoLaserScan, which differ in what a ray has.
+template <typename Ray>
+struct RosScanOf {
     RosHeader header;  ///< stamp of the first ray
     float angle_min = 0.0F;
     float angle_max = 0.0F;
@@ -76,13 +77,17 @@ struct RosLaserScan {
     float scan_time = 0.0F;       ///< seconds
     float range_min = 0.0F;
     float range_max = 0.0F;
-    std::vector<float> ranges;
-    std::vector<float> intensities;
+    std::vector<Ray> ranges;
+    std::vector<Ray> intensities;  ///< of the same echoes, or empty
 
     static void fields(auto& message, auto& archive) {
         archive(message.header, message.angle_min, message.angle_max, message.angle_increment, message.time_increment,
                 message.scan_time, message.range_min, message.range_max, message.ranges, message.intensities);
     }
+};
+
+struct RosLaserScan : RosScanOf<float> {
+    static constexpr const char* type_name = "sensor_msgs/msg/LaserScan";
 };
 
 struct RosImu {
@@ -103,29 +108,15 @@ struct RosImu {
     }
 };
 
+/// The ranges, or the intensities, that one ray has, from the nearest echo to the farthest.
 struct RosLaserEcho {
     std::vector<float> echoes;
 
     static void fields(auto& message, auto& archive) { archive(message.echoes); }
 };
 
-struct RosMultiEchoLaserScan {
+struct RosMultiEchoLaserScan : RosScanOf<RosLaserEcho> {
     static constexpr const char* type_name = "sensor_msgs/msg/MultiEchoLaserScan";
-    RosHeader header;  ///< stamp of the first ray
-    float angle_min = 0.0F;
-    float angle_max = 0.0F;
-    float angle_increment = 0.0F;
-    float time_increment = 0.0F;  ///< seconds
-    float scan_time = 0.0F;       ///< seconds
-    float range_min = 0.0F;
-    float range_max = 0.0F;
-    std::vector<RosLaserEcho> ranges;       ///< of each ray, from the nearest to the farthest
-    std::vector<RosLaserEcho> intensities;  ///< of the same echoes, or empty
-
-    static void fields(auto& message, auto& archive) {
-        archive(message.header, message.angle_min, message.angle_max, message.angle_increment, message.time_increment,
-                message.scan_time, message.range_min, message.range_max, message.ranges, message.intensities);
-    }
 };
 
 struct RosPointField {
