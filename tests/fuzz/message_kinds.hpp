@@ -11,7 +11,7 @@ struct MessageType {
 };
 
 /// The kinds of message from which the first byte of an input chooses, for the reader "message".
-inline constexpr std::array<MessageType, 25> message_types{{
+inline constexpr std::array<MessageType, 31> message_types{{
     {"/scan", "cdr", "sensor_msgs/msg/LaserScan"},
     {"/odom", "cdr", "nav_msgs/msg/Odometry"},
     {"/pose", "cdr", "geometry_msgs/msg/PoseStamped"},
@@ -37,6 +37,12 @@ inline constexpr std::array<MessageType, 25> message_types{{
     {"/scan", "ros1", "sensor_msgs/MultiEchoLaserScan"},
     {"/twist", "cdr", "geometry_msgs/msg/TwistStamped"},
     {"/twist", "ros1", "geometry_msgs/TwistStamped"},
+    {"/twist", "cdr", "geometry_msgs/msg/TwistWithCovarianceStamped"},
+    {"/twist", "ros1", "geometry_msgs/TwistWithCovarianceStamped"},
+    {"/pose", "cdr", "geometry_msgs/msg/PoseWithCovarianceStamped"},
+    {"/pose", "ros1", "geometry_msgs/PoseWithCovarianceStamped"},
+    {"/imu", "cdr", "sensor_msgs/msg/Imu"},
+    {"/imu", "ros1", "sensor_msgs/Imu"},
 }};
 
 }  // namespace ddtool::fuzz

@@ -1,6 +1,7 @@
 #include <array>
 
 #include "logs/messages/message_decoder.hpp"
+#include "logs/stream/cloud_scan.hpp"
 #include "message_kinds.hpp"
 #include "readers.hpp"
 
@@ -19,7 +20,10 @@ void read_message(std::span<const char> content) {
     const McapMessage message{.channel = &channel, .log_time_ns = 1, .data = std::as_bytes(content.subspan(1))};
     (void)kind_of(channel);
     (void)decode_scan(message);
-    (void)decode_cloud(message);
+    if (const std::optional<CloudReading> cloud = decode_cloud(message)) {
+        (void)cloud_scan(*cloud, cloud->frame_from_cloud, band_around_unknown, 0);
+    }
+    (void)decode_imu(message);
     (void)decode_poses(message);
     (void)decode_velocity(message);
     if (is_information(channel)) {

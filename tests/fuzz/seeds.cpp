@@ -9,6 +9,7 @@
 #include "foxglove.pb.h"
 #include "known_dataset.hpp"
 #include "message_kinds.hpp"
+#include "point_clouds.hpp"
 #include "recording.hpp"
 #include "rosbag2_folder_files.hpp"
 #include "run/snapshot_file.hpp"
@@ -31,6 +32,42 @@ void write_seed(const fs::path& folder, const std::string& name, const std::stri
     write_file(folder / name, content);
 }
 
+/// The example recording with messages of the types that it lacks: a second lidar of several echoes, a lidar of many
+/// rings, a gyro, velocities and poses.
+test::Recording recording_of_everything() {
+    test::Recording recording = test::example_recording();
+    for (std::int64_t stamp_ns = 50'000'000; stamp_ns < 1'000'000'000; stamp_ns += 100'000'000) {
+        const RosHeader header{{stamp_ns}, "laser"};
+        RosMultiEchoLaserScan echoes;
+        echoes.header = {{stamp_ns}, "laser_2"};
+        echoes.angle_increment = 0.5F;
+        echoes.range_max = 10.0F;
+        echoes.ranges = {{{1.0F, 2.0F}}, {{3.0F}}, {}};
+        test::record(recording, "/echoes", stamp_ns, echoes);
+        test::record(
+            recording, "/points", stamp_ns,
+            test::cloud_message(1e-9 * static_cast<double>(stamp_ns), "laser", test::round_room(3.0, 0.3, 2, 8)));
+        test::record(recording, "/imu", stamp_ns, RosImu{.header = header, .angular_velocity = {0.0, 0.0, 0.1}});
+        const RosTwistStamped twist{header, {0.5, 0.0, 0.0}, {0.0, 0.0, 0.1}};
+        test::record(recording, "/twist", stamp_ns, twist);
+        test::record(recording, "/twist_covariance", stamp_ns, RosTwistWithCovarianceStamped{.twist = twist});
+        test::record(recording, "/pose", stamp_ns, pose_message(stamp_ns, "odom", {1.0, 2.0, 0.5}));
+        test::record(recording, "/pose_covariance", stamp_ns, RosPoseWithCovarianceStamped{.header = header});
+    }
+    test::record(recording, "/fisher_information", 1,
+                 RosFloat64MultiArray{{{"row", 3, 9}, {"column", 3, 3}}, 0, std::vector<double>(9, 1.0)});
+    return recording;
+}
+
+/// The same without the kinds that are used before others, so that these are read.
+test::Recording recording_of(const std::vector<std::string>& topics) {
+    test::Recording recording = recording_of_everything();
+    std::erase_if(recording, [&](const test::RecordedMessage& message) {
+        return std::ranges::find(topics, message.topic) == topics.end();
+    });
+    return recording;
+}
+
 void write_logs(const fs::path& folder) {
     const test::Recording recording = test::example_recording();
     fs::create_directories(folder);
@@ -41,6 +78,11 @@ void write_logs(const fs::path& folder) {
     write_seed(folder, "bz2.bag", test::BagFile(recording, {.compression = Compression::bzip2}).bytes());
     write_seed(folder, "unclosed.bag", test::BagFile(recording, {.closed = false}).bytes());
     test::write_mcap(folder / "zstd.mcap", recording, {.compression = Compression::zstd});
+    const McapWriterOptions plain{.compression = Compression::none};
+    test::write_mcap(folder / "everything.mcap", recording_of_everything(), plain);
+    test::write_mcap(folder / "cloud-and-twist.mcap", recording_of({"/tf", "/points", "/twist_covariance"}), plain);
+    test::write_mcap(folder / "echoes-and-pose.mcap", recording_of({"/tf", "/echoes", "/pose_covariance"}), plain);
+    test::write_mcap(folder / "gyro-alone.mcap", recording_of({"/tf", "/scan", "/imu"}), plain);
     const test::Recording short_recording(recording.begin(), recording.begin() + 8);
     fs::remove(folder / "small.db3");
     test::write_db3(folder / "small.db3", short_recording);
@@ -72,6 +114,11 @@ std::string as_json(const std::string& schema) {
     if (schema == "foxglove.PoseInFrame") {
         return head + R"("pose":)" + pose + "}";
     }
+    if (schema == "foxglove.PointCloud") {
+        return head + R"("pose":)" + pose +
+               R"(,"point_stride":12,"fields":[{"name":"x","offset":0,"type":7},{"name":"y","offset":4,"type":7},)" +
+               R"({"name":"z","offset":8,"type":7}],"data":"AACAPwAAAEAAAAAA"})";
+    }
     return schema == "foxglove.FrameTransform" ? transform : R"({"transforms":[)" + transform + "]}";
 }
 
@@ -100,23 +147,37 @@ std::string as_protobuf(const std::string& schema) {
         pose.mutable_pose()->mutable_position()->set_x(1.0);
         return pose.SerializeAsString();
     }
+    if (schema == "foxglove.PointCloud") {
+        FoxglovePointCloud cloud;
+        cloud.set_frame_id("a");
+        cloud.mutable_pose()->mutable_orientation()->set_w(1.0);
+        cloud.set_point_stride(12);
+        for (const char* axis : {"x", "y", "z"}) {
+            FoxglovePackedElementField& field = *cloud.add_fields();
+            field.set_name(axis);
+            field.set_offset(4U * static_cast<std::uint32_t>(*axis - 'x'));
+            field.set_type(7);
+        }
+        cloud.set_data(std::string(24, '\x3F'));
+        return cloud.SerializeAsString();
+    }
     FoxgloveFrameTransforms transforms;
     fill(*transforms.add_transforms());
     return schema == "foxglove.FrameTransform" ? transforms.transforms(0).SerializeAsString()
                                                : transforms.SerializeAsString();
 }
 
-/// The first message of that type in the example recording, to which a pose and a scan's Fisher information are added.
+/// The first message of that type in the recording of everything.
 std::string as_ros(const MessageType& type) {
-    test::Recording recording = test::example_recording();
-    test::record(recording, "/pose", 1, pose_message(1, "odom", {1.0, 2.0, 0.5}));
-    test::record(recording, "/fisher_information", 1,
-                 RosFloat64MultiArray{{{"row", 3, 9}, {"column", 3, 3}}, 0, std::vector<double>(9, 1.0)});
+    const test::Recording recording = recording_of_everything();
     const bool ros1 = type.encoding == std::string("ros1");
     const std::string schema = type.schema == std::string("tf/tfMessage") ? "tf2_msgs/TFMessage" : type.schema;
     const auto found = std::ranges::find_if(recording, [&](const test::RecordedMessage& message) {
         return (ros1 ? message.ros1_type() : message.ros2_type) == schema;
     });
+    if (found == recording.end()) {
+        throw std::logic_error("no seed of type " + schema);
+    }
     return text_of(ros1 ? found->ros1 : found->cdr);
 }
 

@@ -86,9 +86,24 @@ TEST(MotionEvidence, WhatAddsUpOnAnOpenStretchIsFound) {
     const MotionEvidence open = driven(stalled, Openness::walls);
     EXPECT_NEAR(open.open.worst_stretch_m, 0.99, 1e-9);  // the first update does not begin at an open one
     EXPECT_NEAR(open.open.worst_length_m, 9.9, 1e-9);
+    EXPECT_EQ(open.open.worst_updates, 99U);
     EXPECT_NEAR(open.open.worst_step_m, 0.01, 1e-9);
     EXPECT_EQ(driven(stalled, Openness::blind).open.worst_step_m, 0.0);
     EXPECT_EQ(driven(stalled).open.odometry_m, 0.0);
+}
+
+TEST(MotionEvidence, AShortHoldDoesNotPutRightWhatTheWheelsErredBefore) {
+    const auto length_after_a_hold_of = [](int held_steps) {
+        MotionWitness witness;
+        for (int step = 0; step < 100 + held_steps; ++step) {
+            witness.add(update_of({0.1, 0.0, 0.0}, {0.1, 0.0, 0.0}),
+                        step >= 80 && step < 80 + held_steps ? Openness::held : Openness::walls);
+        }
+        witness.add(update_of({0.1, 0.0, 0.0}, {1.1, 0.0, 0.0}), Openness::walls);
+        return witness.evidence().open.worst_length_m;
+    };
+    EXPECT_NEAR(length_after_a_hold_of(5), 9.9, 1e-9);
+    EXPECT_NEAR(length_after_a_hold_of(25), 2.0, 1e-9);
 }
 
 TEST(MotionEvidence, TurnsWithoutSightAddUp) {

@@ -71,6 +71,24 @@ TEST(StepEvidence, NoMotionIsLostWhereTheScansBeforeAndAfterThePauseAgree) {
     EXPECT_EQ(lost_with(2.0), 1U);
 }
 
+TEST(StepEvidence, InACorridorOnlyTheSpeedsBesideThePauseTellWhetherTheRobotStood) {
+    const auto lost_with = [](double last_step_m) {
+        StepWitness witness;
+        const double stop_m = 0.4 + last_step_m;
+        const std::vector<std::pair<double, double>> time_and_place{
+            {0.0, 0.0},     {0.2, 0.2},           {0.4, 0.4},          {0.6, stop_m},
+            {10.6, stop_m}, {10.8, stop_m + 0.2}, {11.0, stop_m + 0.4}};
+        for (const auto& [time_s, x_m] : time_and_place) {
+            SensorFrame frame = test::seen_from({x_m, 0.0, 0.0}, {.half_length_m = 50.0}, 8.0);
+            frame.scan.stamp_ns = std::llround(1e9 * time_s);
+            witness.add(frame);
+        }
+        return witness.evidence().lost;
+    };
+    EXPECT_EQ(lost_with(0.2), 1U) << "at full speed before and after";
+    EXPECT_EQ(lost_with(0.04), 0U) << "it braked";
+}
+
 TEST(StepEvidence, StampsThatStandStillOrStepBackAreLeftOut) {
     const StepEvidence evidence = evidence_of_drive({{0.0, 0.0}, {0.0, 1.0}, {-5.0, 2.0}, {-4.9, 2.1}});
     EXPECT_EQ(evidence.moving, 1U);

@@ -38,6 +38,7 @@ Evidence healthy() {
                                 .matched_m = 59.0,
                                 .worst_stretch_m = 0.6,
                                 .worst_length_m = 10.0,
+                                .worst_updates = 50,
                                 .worst_step_m = 0.2,
                                 .worst_blind_turn_rad = 0.1,
                                 .worst_blind_m = 20.0}};
@@ -90,6 +91,16 @@ TEST(Verdict, NothingSpeaksAgainstAHealthyRun) {
     const Verdict verdict = verdict_of(healthy());
     EXPECT_EQ(verdict.standing, Standing::plausible);
     EXPECT_THAT(verdict.reasons, IsEmpty());
+}
+
+TEST(Verdict, WhatTheUsualDifferencesAddUpToDepartsFromNothing) {
+    Evidence evidence = healthy();
+    evidence.motion.open.worst_stretch_m = 2.2;
+    evidence.motion.open.worst_updates = 300;
+    evidence.motion.usual_m = 0.005;
+    EXPECT_EQ(verdict_of(evidence).standing, Standing::doubtful);
+    evidence.motion.usual_m = 0.05;
+    EXPECT_EQ(verdict_of(evidence).standing, Standing::plausible);
 }
 
 TEST(Verdict, AnOdometryThatSeldomLeadsBackProvesNothing) {

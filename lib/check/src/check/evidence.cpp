@@ -27,6 +27,7 @@ Json motion_json(const MotionEvidence& motion) {
               {"matched_m", motion.open.matched_m},
               {"worst_stretch_m", motion.open.worst_stretch_m},
               {"worst_length_m", motion.open.worst_length_m},
+              {"worst_updates", motion.open.worst_updates},
               {"worst_step_m", motion.open.worst_step_m},
               {"worst_blind_turn_rad", motion.open.worst_blind_turn_rad},
               {"worst_blind_m", motion.open.worst_blind_m}}}};

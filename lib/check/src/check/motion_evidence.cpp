@@ -16,6 +16,9 @@ bool is_jump(double apart_m, double apart_rad, const Pose2& odometry) {
            apart_rad > 0.3 + 0.5 * std::abs(odometry.theta_rad);
 }
 
+/// A corner or a door that holds the scans for less than this does not put right what the wheels erred before.
+constexpr double held_again_m = 2.0;
+
 /// Smaller turns between two updates are how a robot that drives straight trembles.
 constexpr double least_turn_rad = 0.02;
 
@@ -63,7 +66,10 @@ void MotionWitness::add(const Update& update, Openness openness) {
     if (open && odometry_m > 0.0) {
         add_open(odometry_m, dot / odometry_m, openness == Openness::walls && before_ == Openness::walls);
     } else if (odometry_m > 0.0) {
-        stretch_m_ = stretch_length_m_ = 0.0;
+        stretch_m_ = 0.0;
+        stretch_updates_ = 0;
+        held_length_m_ += odometry_m;
+        open_length_m_ = held_length_m_ < held_again_m ? open_length_m_ : 0.0;
     }
     if (openness == Openness::blind && before_ == Openness::blind) {
         add_blind(odometry_m, wrap_angle(matched.theta_rad - odometry.theta_rad));
@@ -83,10 +89,15 @@ void MotionWitness::add_open(double odometry_m, double along_m, bool between_wal
         open.worst_step_m = std::max(open.worst_step_m, std::abs(along_m - odometry_m));
     }
     stretch_m_ += along_m - odometry_m;
-    stretch_length_m_ += odometry_m;
-    if (std::abs(stretch_m_) > open.worst_stretch_m) {
+    ++stretch_updates_;
+    open_length_m_ += odometry_m;
+    held_length_m_ = 0.0;
+    const double excess_m = std::abs(stretch_m_) - MotionEvidence::wheels_share * open_length_m_;
+    if (excess_m > worst_excess_m_) {
+        worst_excess_m_ = excess_m;
         open.worst_stretch_m = std::abs(stretch_m_);
-        open.worst_length_m = stretch_length_m_;
+        open.worst_length_m = open_length_m_;
+        open.worst_updates = stretch_updates_;
     }
 }
 

@@ -26,12 +26,20 @@ struct MotionEvidence {
     double score = 0.0;           ///< mean score of the matches, 0..1
     std::uint64_t unmatched = 0;  ///< updates whose scan fits the map nowhere, though it sees surfaces
 
+    /// Poor wheels err by so much of the way.
+    static constexpr double wheels_share = 0.05;
+
     /// Where the scans leave open how far the robot came, as along a bare corridor.
     struct Open {
         double odometry_m = 0.0;
-        double matched_m = 0.0;             ///< along the odometry's direction
-        double worst_stretch_m = 0.0;       ///< the largest difference on one stretch that is open throughout
-        double worst_length_m = 0.0;        ///< the odometry's length of that stretch up to there
+        double matched_m = 0.0;  ///< along the odometry's direction
+        /// The worst difference on one stretch that is open throughout, by how far it is above wheels_share of the
+        /// length beside it.
+        double worst_stretch_m = 0.0;
+        /// The odometry's length up to there since the scans last told the position for a while: what wheels erred in
+        /// it may be put right on a short stretch, where the end of a corridor comes into sight.
+        double worst_length_m = 0.0;
+        std::uint64_t worst_updates = 0;    ///< the number of updates of that stretch up to there
         double worst_step_m = 0.0;          ///< the largest difference at a single update between walls
         double worst_blind_turn_rad = 0.0;  ///< the largest difference of the turns where the scans see hardly anything
         double worst_blind_m = 0.0;         ///< the odometry's length of that stretch up to there
@@ -55,7 +63,10 @@ private:
     MotionEvidence sums_;
     Openness before_ = Openness::held;
     double stretch_m_ = 0.0;
-    double stretch_length_m_ = 0.0;
+    double open_length_m_ = 0.0;  ///< since the scans last told the position for a while
+    double held_length_m_ = 0.0;  ///< of the present stretch in which they do
+    double worst_excess_m_ = 0.0;
+    std::uint64_t stretch_updates_ = 0;
     double blind_turn_rad_ = 0.0;
     double blind_length_m_ = 0.0;
     double dot_ = 0.0, cross_ = 0.0, squares_ = 0.0;

@@ -18,6 +18,13 @@ constexpr double pause_share = 8.0;
 constexpr double drives_m_per_s = 0.1;
 /// A robot that drove before and after a pause moved in it by more than this share of the way at that speed.
 constexpr double least_moved = 0.1;
+/// Speeds beside a pause that differ from the mean by less than this factor are those of a robot that neither brakes
+/// nor starts.
+constexpr double cruise_ratio = 2.0;
+/// Scans that tell whether the robot stood contradict each other in so many more of their points when they are moved
+/// apart by this much.
+constexpr double told_within_m = 1.0;
+constexpr double told_by = 0.1;
 
 }  // namespace
 
@@ -26,21 +33,37 @@ void StepWitness::add(const SensorFrame& frame) {
         const double duration_s = 1e-9 * static_cast<double>(frame.scan.stamp_ns - latest_->scan.stamp_ns);
         judge({.duration_s = duration_s,
                .distance_m = distance_m(latest_->odom_from_robot, frame.odom_from_robot),
-               .scans_differ = duration_s > least_pause_s && differs_from_latest(frame)});
+               .scans = duration_s > least_pause_s ? compare_with_latest(frame) : Scans::agree});
     }
     latest_ = frame;
 }
 
-/// Whether the scan cannot be from where the odometry puts it relative to the latest one. Recorders that leave out the
-/// scans of a robot at rest make pauses, too, but there the scans agree.
-bool StepWitness::differs_from_latest(const SensorFrame& frame) const {
-    const Agreement found =
-        agreement(Sight(*latest_), Sight(frame), between(latest_->odom_from_robot, frame.odom_from_robot));
-    return found.same == 0 || found.contradicted() > PairEvidence::bad_pair;
+/// Recorders that leave out the scans of a robot at rest make pauses, too, but there the scans agree, and only there.
+StepWitness::Scans StepWitness::compare_with_latest(const SensorFrame& frame) const {
+    const Sight before(*latest_);
+    const Sight after(frame);
+    const Pose2 motion = between(latest_->odom_from_robot, frame.odom_from_robot);
+    const Agreement here = agreement(before, after, motion);
+    if (here.same == 0 || here.contradicted() > PairEvidence::bad_pair) {
+        return Scans::differ;
+    }
+    const Agreement apart = agreement(before, after, Pose2{told_within_m, 0.0, 0.0} * motion);
+    const bool tell = apart.same == 0 || apart.contradicted() > here.contradicted() + told_by;
+    return tell ? Scans::agree : Scans::tell_nothing;
+}
+
+/// Whether the robot was neither braking nor starting in a step.
+bool StepWitness::at_usual_speed(const Step& step) const {
+    const double usual_m_per_s = driven_s_ > 0.0 ? driven_m_ / driven_s_ : 0.0;
+    return step.speed_m_per_s() > usual_m_per_s / cruise_ratio && step.speed_m_per_s() < usual_m_per_s * cruise_ratio;
 }
 
 void StepWitness::judge(const Step& step) {
-    evidence_.moving += step.distance_m > stands_m ? 1 : 0;
+    if (step.distance_m > stands_m) {
+        ++evidence_.moving;
+        driven_m_ += step.distance_m;
+        driven_s_ += step.duration_s;
+    }
     if (last_ && last_->distance_m <= stands_m && step.distance_m > stair_m &&
         step.duration_s < 1.5 * last_->duration_s) {
         ++evidence_.stairs;
@@ -49,7 +72,9 @@ void StepWitness::judge(const Step& step) {
         const double least_speed = std::min(before_last_->speed_m_per_s(), step.speed_m_per_s());
         const bool pause = last_->duration_s > least_pause_s &&
                            last_->duration_s > pause_share * std::max(before_last_->duration_s, step.duration_s);
-        if (pause && last_->scans_differ && least_speed > drives_m_per_s &&
+        const bool went_on = last_->scans == Scans::differ || (last_->scans == Scans::tell_nothing &&
+                                                               at_usual_speed(*before_last_) && at_usual_speed(step));
+        if (pause && went_on && least_speed > drives_m_per_s &&
             last_->distance_m < least_moved * least_speed * last_->duration_s) {
             ++evidence_.lost;
             evidence_.longest_lost_s = std::max(evidence_.longest_lost_s, last_->duration_s);

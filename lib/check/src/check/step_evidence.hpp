@@ -14,7 +14,7 @@ struct StepEvidence {
     /// stamped in whole seconds.
     std::uint64_t stairs = 0;
     /// Pauses of the scans in which the robot was at speed before and after, and by the odometry did not move in
-    /// between, although the scans before and after contradict that.
+    /// between, although the scans before and after contradict that, or, as in a corridor, cannot tell.
     std::uint64_t lost = 0;
     double longest_lost_s = 0.0;
 };
@@ -26,16 +26,21 @@ public:
     [[nodiscard]] const StepEvidence& evidence() const { return evidence_; }
 
 private:
+    /// What the scans before and after a step say of the odometry's motion in it.
+    enum class Scans { agree, differ, tell_nothing };
     struct Step {
         double duration_s = 0.0;
         double distance_m = 0.0;
-        bool scans_differ = false;  ///< found for long steps alone
+        Scans scans = Scans::agree;  ///< found for long steps alone
         [[nodiscard]] double speed_m_per_s() const { return distance_m / duration_s; }
     };
     void judge(const Step& step);
-    [[nodiscard]] bool differs_from_latest(const SensorFrame& frame) const;
+    [[nodiscard]] Scans compare_with_latest(const SensorFrame& frame) const;
+    [[nodiscard]] bool at_usual_speed(const Step& step) const;
 
     StepEvidence evidence_;
+    double driven_m_ = 0.0;
+    double driven_s_ = 0.0;
     std::optional<SensorFrame> latest_;
     std::optional<Step> last_, before_last_;
 };

@@ -144,18 +144,23 @@ Found jumps(const Evidence& evidence) {
 }
 
 /// Where the scans do not tell how far the robot came, only the odometry does. A path that nevertheless departs from it
-/// by more than poor wheels err (5 % and half a metre) has no ground.
+/// by more than poor wheels err (5 % and half a metre) has no ground. Differences of single updates are to be expected,
+/// too: the filter draws motions around the odometry's. Where they are independent of each other, they add up with the
+/// root of the number of updates. The usual difference, a median of lengths in the plane, is 1.18 standard deviations
+/// of each axis, so that twice the sum of usual ones is 2.4 standard deviations.
 Found departs_without_ground(const Evidence& evidence) {
-    constexpr double share = 0.05;
     constexpr double more_m = 0.5;
+    constexpr double usual_sums = 2.0;
     const MotionEvidence::Open& open = evidence.motion.open;
-    if (open.worst_stretch_m <= more_m + share * open.worst_length_m) {
+    const double usual_sum_m = evidence.motion.usual_m * std::sqrt(static_cast<double>(open.worst_updates));
+    if (open.worst_stretch_m <=
+        more_m + MotionEvidence::wheels_share * open.worst_length_m + usual_sums * usual_sum_m) {
         return std::nullopt;
     }
     return Finding{Standing::doubtful,
                    "where the scans leave open how far the robot came, the path departs from the "
                    "odometry by " +
-                       metres(open.worst_stretch_m) + " on a stretch of " + metres(open.worst_length_m)};
+                       metres(open.worst_stretch_m) + ", " + metres(open.worst_length_m) + " after they last told it"};
 }
 
 /// The same at a single update. Wheels slip by centimetres; half a metre, and twenty times what the two usually differ

@@ -66,6 +66,13 @@ std::string kind_of(const Json& known) {
     return known.is_number_integer() ? "whole number" : known.type_name();
 }
 
+std::string expectation_from(const Json& known) {
+    if (known.is_array() && known.empty()) {
+        return "values separated by commas";
+    }
+    return kind_of(known) + " such as " + known.dump();
+}
+
 struct Merge {
     const std::string& source;
     const Json& all;  ///< all known settings, for hints in messages
@@ -88,8 +95,8 @@ struct Merge {
             // 0.5.
             known = known.is_number_float() ? Json(value.get<double>()) : value;
         } else {
-            throw UsageError(source + ": setting '" + path + "' is " + value.dump() + ", expected " + kind_of(known) +
-                             " such as " + known.dump());
+            throw UsageError(source + ": setting '" + path + "' is " + value.dump() + ", expected " +
+                             expectation_from(known));
         }
     }
 };

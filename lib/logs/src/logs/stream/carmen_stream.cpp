@@ -31,6 +31,11 @@ void check_options(const std::string& file, const LogOptions& options) {
                              "ground truth");
         }
     }
+    if (options.odom_path > 1 || options.odom_delay_s.value_or(0.0) != 0.0) {
+        throw UsageError(file +
+                         ": in a CARMEN log each scan has its own pose of the odometry, of one publisher and "
+                         "without a delay that could be taken off; ddtool convert makes a log of it in which it can");
+    }
 }
 
 }  // namespace

@@ -356,7 +356,8 @@ private:
         return true;
     }
 
-    bool can_be_used(const TrackSurvey& track, const std::string& name) {
+    /// \param is_path whether the track is one of the paths of several publishers
+    bool can_be_used(const TrackSurvey& track, const std::string& name, bool is_path = false) {
         if (track.usable() == 0) {
             blame("the odometry " + name + " is not used: " +
                   (track.without_rotation() > 0
@@ -371,11 +372,15 @@ private:
         }
         if (const std::vector<TrackSurvey> paths = track.paths(); !paths.empty()) {
             const std::size_t path = chosen_path(track, paths, name);
-            if (!can_be_used(paths[path], name)) {
+            if (!can_be_used(paths[path], name, true)) {
                 return false;
             }
             plan_.odom_lineage = track.interleaved().lineage(path);
             return true;
+        }
+        if (options_.odom_path > 1 && !is_path) {
+            throw UsageError(file_ + ": there is no path " + std::to_string(options_.odom_path) +
+                             "; the poses of the odometry " + name + " are those of one publisher");
         }
         const StampRule stamps = track.stamps().rule("the odometry " + name);
         const StampRule& scan_stamps = plan_.lidars.front().stamps;
