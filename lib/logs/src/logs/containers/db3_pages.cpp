@@ -51,7 +51,7 @@ Db3Value value_of(std::uint64_t type, std::span<const std::byte> bytes) {
     } else if (type == 8 || type == 9) {
         value.type = Db3Value::Type::integer;
         value.integer = static_cast<std::int64_t>(type - 8);
-    } else if (type != 0) {
+    } else if (type > 0 && type < 7) {  // 10 and 11 are reserved and have no bytes
         value.type = Db3Value::Type::integer;
         const unsigned unused_bits = 64U - 8U * static_cast<unsigned>(bytes.size());
         value.integer = std::bit_cast<std::int64_t>(big_endian(bytes) << unused_bits) >> unused_bits;
