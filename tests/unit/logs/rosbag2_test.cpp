@@ -199,7 +199,7 @@ protected:
 
 TEST_F(DamagedDb3, EveryMessageBeforeACutIsRead) {
     for (const double share : {0.1, 0.3, 0.5, 0.9}) {
-        for (const std::size_t beyond_page : {0, 1234}) {
+        for (const std::size_t beyond_page : {std::size_t{0}, std::size_t{1234}}) {
             const auto bytes = static_cast<std::size_t>(share * static_cast<double>(whole_.size())) / 4096 * 4096;
             write_file(file_, whole_.substr(0, bytes + beyond_page));
             const Read read = read_database();
