@@ -24,10 +24,10 @@ std::vector<Relation> relations_of(const Trajectory& path, std::size_t stride) {
 TEST(Relations, OfThePathItselfHaveNoError) {
     const Trajectory path = wandering_path(40, 1);
     const RelationErrors errors = score_relations(moved(path, {1.0, 2.0, 3.0}), relations_of(path, 7));
-    EXPECT_EQ(errors.translation_m.count, 33U);
+    EXPECT_EQ(errors.all.translation_m.count, 33U);
     EXPECT_EQ(errors.skipped, 0U);
-    EXPECT_NEAR(errors.translation_m.max, 0.0, 1e-9);
-    EXPECT_NEAR(errors.rotation_deg.max, 0.0, 1e-6);
+    EXPECT_NEAR(errors.all.translation_m.max, 0.0, 1e-9);
+    EXPECT_NEAR(errors.all.rotation_deg.max, 0.0, 1e-6);
 }
 
 TEST(Relations, ErrorIsTheMotionLeftOver) {
@@ -39,6 +39,26 @@ TEST(Relations, ErrorIsTheMotionLeftOver) {
     EXPECT_NEAR(errors.errors_deg.at(0), 0.1 * 180.0 / std::acos(-1.0), 1e-9);
 }
 
+TEST(Relations, AreScoredApartByTheTimeBetweenThem) {
+    Trajectory path;
+    for (int second : {0, 4, 30, 100}) {
+        path.push_back({second * std::int64_t{1'000'000'000}, {1.0 * second, 0.0, 0.0}});
+    }
+    const auto relation = [&](std::size_t from, std::size_t to, double error_m) {
+        return Relation{path[from].stamp_ns, path[to].stamp_ns,
+                        between(path[from].pose, path[to].pose) * Pose2{error_m, 0.0, 0.0}};
+    };
+    const RelationErrors errors =
+        score_relations(path, {relation(0, 1, 0.1), relation(1, 2, 0.2), relation(0, 3, 0.6), relation(3, 1, 0.8)});
+    EXPECT_NEAR(errors.all.translation_m.mean, 0.425, 1e-9);
+    ASSERT_TRUE(errors.short_ones && errors.long_ones);
+    EXPECT_EQ(errors.short_ones->translation_m.count, 1U);
+    EXPECT_NEAR(errors.short_ones->translation_m.mean, 0.1, 1e-9);
+    EXPECT_EQ(errors.long_ones->rotation_deg.count, 2U);
+    EXPECT_NEAR(errors.long_ones->translation_m.mean, 0.7, 1e-9);
+    EXPECT_FALSE(score_relations(path, {relation(1, 2, 0.2)}).long_ones);
+}
+
 TEST(Relations, DoNotDependOnTheOrderOfThePosesOrOfTheirOwn) {
     const Trajectory path = wandering_path(40, 2);
     Trajectory estimate = noisy(path, 3);
@@ -47,9 +67,9 @@ TEST(Relations, DoNotDependOnTheOrderOfThePosesOrOfTheirOwn) {
     std::swap(estimate[3], estimate[20]);
     std::reverse(relations.begin(), relations.end());
     const RelationErrors shuffled = score_relations(estimate, relations);
-    EXPECT_GT(in_order.translation_m.mean, 0.01);
-    EXPECT_NEAR(shuffled.translation_m.mean, in_order.translation_m.mean, 1e-12);
-    EXPECT_NEAR(shuffled.rotation_deg.max, in_order.rotation_deg.max, 1e-12);
+    EXPECT_GT(in_order.all.translation_m.mean, 0.01);
+    EXPECT_NEAR(shuffled.all.translation_m.mean, in_order.all.translation_m.mean, 1e-12);
+    EXPECT_NEAR(shuffled.all.rotation_deg.max, in_order.all.rotation_deg.max, 1e-12);
 }
 
 TEST(Relations, AreSkippedAndCountedWhereATimeIsMissing) {
@@ -59,7 +79,7 @@ TEST(Relations, AreSkippedAndCountedWhereATimeIsMissing) {
     relations[5].from_ns = -1'000'000'000;
     const RelationErrors errors = score_relations(path, relations);
     EXPECT_EQ(errors.skipped, 2U);
-    EXPECT_EQ(errors.translation_m.count, relations.size() - 2);
+    EXPECT_EQ(errors.all.translation_m.count, relations.size() - 2);
     EXPECT_EQ(score_relations(path, relations, 0.06).skipped, 1U);
 }
 

@@ -235,7 +235,7 @@ Found motion_lost(const Evidence& evidence) {
 /// decimetres, has hardly drifted. The right path cannot be three times as far from it.
 Found leaves_good_odometry(const Evidence& evidence) {
     constexpr std::size_t enough_pairs = 40;
-    constexpr double closed = 0.3;
+    constexpr double closed = 0.2;
     constexpr double most_m = 0.6;
     constexpr double least_of_revisits = 0.9;
     const PairEvidence& pairs = evidence.odometry_revisits;

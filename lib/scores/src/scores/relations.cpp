@@ -30,6 +30,20 @@ std::optional<Relation> parse_relation(std::string_view line) {
     return Relation{*from, *to, {x, y, yaw}};
 }
 
+/// The errors of some relations.
+struct Errors {
+    std::vector<double> m;
+    std::vector<double> deg;
+
+    void add(double error_m, double error_deg) {
+        m.push_back(error_m);
+        deg.push_back(error_deg);
+    }
+    [[nodiscard]] std::optional<RelationStatistics> statistics() const {
+        return m.empty() ? std::nullopt : std::optional(RelationStatistics{error_statistics(m), error_statistics(deg)});
+    }
+};
+
 }  // namespace
 
 std::vector<Relation> read_relations(const std::filesystem::path& path) {
@@ -48,6 +62,8 @@ RelationErrors score_relations(const Trajectory& trajectory, const std::vector<R
                                double max_time_difference_s) {
     const StampIndex index(trajectory);
     RelationErrors result;
+    Errors short_ones;
+    Errors long_ones;
     for (const Relation& relation : relations) {
         const auto from = index.nearest(relation.from_ns, max_time_difference_s);
         const auto to = index.nearest(relation.to_ns, max_time_difference_s);
@@ -57,11 +73,21 @@ RelationErrors score_relations(const Trajectory& trajectory, const std::vector<R
         }
         const Pose2 error = between(between(trajectory[*from].pose, trajectory[*to].pose), relation.motion);
         result.from_ns.push_back(relation.from_ns);
-        result.errors_m.push_back(std::hypot(error.x_m, error.y_m));
-        result.errors_deg.push_back(std::abs(error.theta_rad) * 180.0 / std::numbers::pi);
+        const double error_m = std::hypot(error.x_m, error.y_m);
+        const double error_deg = std::abs(error.theta_rad) * 180.0 / std::numbers::pi;
+        result.errors_m.push_back(error_m);
+        result.errors_deg.push_back(error_deg);
+        const double apart_s =
+            1e-9 * std::abs(static_cast<double>(relation.to_ns) - static_cast<double>(relation.from_ns));
+        if (apart_s < RelationErrors::most_short_s) {
+            short_ones.add(error_m, error_deg);
+        } else if (apart_s > RelationErrors::least_long_s) {
+            long_ones.add(error_m, error_deg);
+        }
     }
-    result.translation_m = error_statistics(result.errors_m);
-    result.rotation_deg = error_statistics(result.errors_deg);
+    result.all = {error_statistics(result.errors_m), error_statistics(result.errors_deg)};
+    result.short_ones = short_ones.statistics();
+    result.long_ones = long_ones.statistics();
     return result;
 }
 

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <vector>
 
 #include "scores/association.hpp"
@@ -22,12 +23,25 @@ struct Relation {
 /// are kept. Throws Error naming the file, the line and what was expected.
 std::vector<Relation> read_relations(const std::filesystem::path& path);
 
+/// Statistics of the errors of relations.
+struct RelationStatistics {
+    ErrorStatistics translation_m;
+    ErrorStatistics rotation_deg;
+};
+
 struct RelationErrors {
+    /// Relations between times that are less apart than this are short: they tell of noise. Those more apart than
+    /// least_long_s are long: they tell of maps that are bent or torn, which the mean of all hides, since most are
+    /// short.
+    static constexpr double most_short_s = 5.0;
+    static constexpr double least_long_s = 60.0;
+
     std::vector<std::int64_t> from_ns;  ///< from_ns of the relations that were scored, in their order
     std::vector<double> errors_m;       ///< one per relation that was scored
     std::vector<double> errors_deg;
-    ErrorStatistics translation_m;
-    ErrorStatistics rotation_deg;
+    RelationStatistics all;
+    std::optional<RelationStatistics> short_ones;  ///< empty: there are none
+    std::optional<RelationStatistics> long_ones;
     std::size_t skipped = 0;  ///< relations that have a time for which the trajectory has no pose
 };
 

@@ -11,7 +11,7 @@ struct NamedError {
     std::optional<ErrorStatistics> ScoreFigures::*member;
 };
 
-constexpr std::array<NamedError, 7> errors{{
+constexpr std::array<NamedError, 11> errors{{
     {"ATE [m]", "ate_m", &ScoreFigures::ate_m},
     {"Error_x [m]", "error_x_m", &ScoreFigures::error_x_m},
     {"Error_y [m]", "error_y_m", &ScoreFigures::error_y_m},
@@ -19,6 +19,10 @@ constexpr std::array<NamedError, 7> errors{{
     {"RPE rotation [deg]", "rpe_deg", &ScoreFigures::rpe_deg},
     {"relations, translation [m]", "relations_m", &ScoreFigures::relations_m},
     {"relations, rotation [deg]", "relations_deg", &ScoreFigures::relations_deg},
+    {"under 5 s, translation [m]", "relations_short_m", &ScoreFigures::relations_short_m},
+    {"under 5 s, rotation [deg]", "relations_short_deg", &ScoreFigures::relations_short_deg},
+    {"over 60 s, translation [m]", "relations_long_m", &ScoreFigures::relations_long_m},
+    {"over 60 s, rotation [deg]", "relations_long_deg", &ScoreFigures::relations_long_deg},
 }};
 
 constexpr const char* alignment_key = "reference_from_estimate";
@@ -46,8 +50,16 @@ ScoreFigures figures_of(const TrajectoryScore& score) {
         figures.rpe_deg = score.relative->rotation_deg;
     }
     if (score.relations) {
-        figures.relations_m = score.relations->translation_m;
-        figures.relations_deg = score.relations->rotation_deg;
+        figures.relations_m = score.relations->all.translation_m;
+        figures.relations_deg = score.relations->all.rotation_deg;
+        if (const auto& short_ones = score.relations->short_ones) {
+            figures.relations_short_m = short_ones->translation_m;
+            figures.relations_short_deg = short_ones->rotation_deg;
+        }
+        if (const auto& long_ones = score.relations->long_ones) {
+            figures.relations_long_m = long_ones->translation_m;
+            figures.relations_long_deg = long_ones->rotation_deg;
+        }
         figures.relations_skipped = score.relations->skipped;
     }
     return figures;

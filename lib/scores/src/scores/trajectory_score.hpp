@@ -35,6 +35,10 @@ struct ScoreFigures {
     std::optional<ErrorStatistics> rpe_deg;
     std::optional<ErrorStatistics> relations_m;
     std::optional<ErrorStatistics> relations_deg;
+    std::optional<ErrorStatistics> relations_short_m;
+    std::optional<ErrorStatistics> relations_short_deg;
+    std::optional<ErrorStatistics> relations_long_m;
+    std::optional<ErrorStatistics> relations_long_deg;
     std::optional<Pose2> reference_from_estimate;  ///< the alignment
     std::optional<std::size_t> relations_skipped;
 };

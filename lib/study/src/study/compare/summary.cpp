@@ -87,7 +87,8 @@ const std::vector<Metric>& all_metrics() {
                                              {"Error_x", "m", mean_of<&ScoreFigures::error_x_m>},
                                              {"Error_y", "m", mean_of<&ScoreFigures::error_y_m>},
                                              {"relations", "m", mean_of<&ScoreFigures::relations_m>},
-                                             {"relations rotation", "deg", mean_of<&ScoreFigures::relations_deg>}};
+                                             {"relations rotation", "deg", mean_of<&ScoreFigures::relations_deg>},
+                                             {"relations over 60 s", "m", mean_of<&ScoreFigures::relations_long_m>}};
     return metrics;
 }
 
