@@ -1,5 +1,10 @@
 #include "bench_plan.hpp"
 
+#include <utility>
+
+#include "bench_worlds.hpp"
+#include "drive_through.hpp"
+
 namespace ddtool::matcher_bench {
 namespace {
 

@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include <filesystem>
+
 #include "temporary_folder.hpp"
 
 namespace ddtool::matcher_bench {

@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include <cmath>
+
 #include "ddtool/base/error.hpp"
 #include "drive_through.hpp"
 #include "sim/lidar.hpp"

@@ -1,6 +1,7 @@
 #include "drive_through.hpp"
 
 #include <cmath>
+#include <utility>
 
 #include "sim/drive.hpp"
 #include "sim/fisher_information.hpp"

@@ -1,5 +1,6 @@
 #include "trial_summary.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/squared.hpp"
