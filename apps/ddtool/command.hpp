@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -19,11 +20,19 @@ struct SettingPath {
     std::string path;  ///< keys joined by dots; Command::settings must contain it
 };
 
-/// Where the value of an option goes: to a setting, or to a variable, whose value before parsing is the default. A bool
-/// variable makes the option a flag, and so does a setting of type bool, which also gets the opposite flag --no-NAME. A
-/// vector takes one value or several.
-using OptionValue =
-    std::variant<SettingPath, bool*, std::string*, std::vector<std::string>*, std::size_t*, std::uint16_t*, double*>;
+/// Groups of settings, each with a name. The option's value is the name of one, which is merged into the settings
+/// before
+/// --config, --set and the options that stand for settings.
+struct NamedSettings {
+    std::vector<std::pair<std::string, Json>> groups;
+    std::string* chosen = nullptr;  ///< its value before parsing is the group that Command::settings agree with
+};
+
+/// Where the value of an option goes: to a setting, to the choice of a group of settings, or to a variable, whose value
+/// before parsing is the default. A bool variable makes the option a flag, and so does a setting of type bool, which
+/// also gets the opposite flag --no-NAME. A vector takes one value or several.
+using OptionValue = std::variant<SettingPath, NamedSettings, bool*, std::string*, std::vector<std::string>*,
+                                 std::size_t*, std::uint16_t*, double*>;
 
 enum class Presence { optional, required };
 

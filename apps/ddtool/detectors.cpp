@@ -18,9 +18,10 @@ DetectorTable all_detectors() {
 
 ImageSettings image_seen_by(const std::string& detector) {
     const std::filesystem::path file = detector;
-    const auto model = file.extension() == ".pt"            ? train::engine().load(file, {})
-                       : file.extension() == ".safetensors" ? load_model(file)
-                                                            : shipped_model();
+    if (file.extension() == ".pt") {
+        return train::engine().describe(file).image;
+    }
+    const auto model = file.extension() == ".safetensors" ? load_model(file) : shipped_model();
     return model->description().image;
 }
 

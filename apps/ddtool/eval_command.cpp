@@ -10,6 +10,7 @@
 #include "commands.hpp"
 #include "dataset/dataset.hpp"
 #include "output_folder.hpp"
+#include "recipe_option.hpp"
 #include "study/judge/evaluation_page.hpp"
 #include "study/judge/label_noise.hpp"
 #include "study/judge/model_scorer.hpp"
@@ -35,6 +36,7 @@ struct EvalRequest {
     std::string fit;
     std::string out;
     std::string ablation;
+    std::string recipe = train::best_recipe_name;
     bool label_noise = false;
     bool as_json = false;
 };
@@ -212,6 +214,8 @@ Command eval_command() {
                 {"--model", &request->models, "An exported model or a checkpoint; may be given many times", "FILE.pt"},
                 {"--fit", &request->fit,
                  "Data set whose part train the simple rules are fitted on, if not that of --data", "DIR"},
+                {"--recipe", recipe_choice(&train::Recipe::evaluation, request->recipe),
+                 "Label and split of the recipe that the models were trained with", "best|paper"},
                 {"--label", SettingPath{"label"}, "What counts as degenerate", "dispersion|fisher"},
                 {"--split", SettingPath{"split"}, "paper: samples at random; held_out: whole scenes", "paper|held_out"},
                 {"--part", SettingPath{"part"}, "Samples that are tested", "train|validation|test"},

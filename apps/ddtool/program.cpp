@@ -48,11 +48,18 @@ private:
         std::string text;
     };
 
+    struct AssignedGroup {
+        std::string option;
+        std::string name;
+        Json settings;
+    };
+
     void declare(const Option& option);
     CLI::Option* declare_setting(const Option& option, const std::string& path);
+    CLI::Option* declare_groups(const Option& option, const NamedSettings& settings);
     /// Declares --config and --set.
     void declare_files_and_assignments();
-    /// Merges --config, --set and the options that stand for settings, in this order.
+    /// Merges the chosen groups of settings, --config, --set and the options that stand for settings, in this order.
     [[nodiscard]] Json with_all_changes(Json settings) const;
     [[nodiscard]] Json effective_settings() const;
 
@@ -61,6 +68,7 @@ private:
     std::vector<std::string> config_files_;
     std::vector<std::string> assignments_;
     std::vector<AssignedValue> assigned_values_;
+    std::vector<AssignedGroup> assigned_groups_;
     std::vector<std::pair<const CLI::Option*, bool*>> asked_for_;
 };
 
@@ -88,11 +96,29 @@ CLI::Option* ParsedCommand::declare_setting(const Option& option, const std::str
         ->default_str(default_value.is_string() ? default_value.get<std::string>() : bare(default_value));
 }
 
+CLI::Option* ParsedCommand::declare_groups(const Option& option, const NamedSettings& settings) {
+    const auto assign = [this, name = option.name, settings](const std::string& chosen) {
+        const auto group = std::ranges::find(settings.groups, chosen, [](const auto& each) { return each.first; });
+        if (group == settings.groups.end()) {
+            std::vector<std::string> names;
+            for (const auto& each : settings.groups) {
+                names.push_back(each.first);
+            }
+            throw UsageError(name + ": expected " + joined(names) + ", not '" + chosen + "'");
+        }
+        *settings.chosen = chosen;
+        assigned_groups_.push_back({name, chosen, group->second});
+    };
+    return app_.add_option_function<std::string>(option.name, assign, option.help)->default_str(*settings.chosen);
+}
+
 void ParsedCommand::declare(const Option& option) {
     const auto declare_value = [&](const auto& value) -> CLI::Option* {
         using Value = std::decay_t<decltype(value)>;
         if constexpr (std::is_same_v<Value, SettingPath>) {
             return declare_setting(option, value.path);
+        } else if constexpr (std::is_same_v<Value, NamedSettings>) {
+            return declare_groups(option, value);
         } else if constexpr (std::is_same_v<Value, bool*>) {
             return app_.add_flag(option.name, *value, option.help);
         } else if constexpr (std::is_same_v<Value, std::vector<std::string>*>) {
@@ -133,6 +159,9 @@ void ParsedCommand::declare_files_and_assignments() {
 }
 
 Json ParsedCommand::with_all_changes(Json settings) const {
+    for (const auto& [option, name, group] : assigned_groups_) {
+        merge_settings(settings, group, option + " " + name);
+    }
     for (const std::string& file : config_files_) {
         merge_settings_file(settings, file);
     }

@@ -4,6 +4,7 @@
 #include "assumed_inputs.hpp"
 #include "commands.hpp"
 #include "output_folder.hpp"
+#include "recipe_option.hpp"
 #include "system/log.hpp"
 #include "train/engine.hpp"
 #include "train/process_group.hpp"
@@ -16,6 +17,7 @@ struct TrainOptions {
     std::string data = standard_dataset;
     bool names_data = false;
     std::string out;
+    std::string recipe = train::best_recipe_name;
     /// everything except the settings, and data and out, which the command line gives as text
     train::TrainRequest rest;
     bool as_json = false;
@@ -30,9 +32,10 @@ void expect_shared_folder(const TrainOptions& options) {
 
 std::string next_command(const train::TrainRequest& request, const train::TrainResult& result,
                          const TrainOptions& options) {
+    const std::string recipe = options.recipe == train::best_recipe_name ? "" : " --recipe " + options.recipe;
     return options.names_data || !options.out.empty()
-               ? "ddtool eval --data " + request.data.string() + " --model " + result.best.string()
-               : "ddtool eval";
+               ? "ddtool eval --data " + request.data.string() + " --model " + result.best.string() + recipe
+               : "ddtool eval" + recipe;
 }
 
 ExitCode train_network(const TrainOptions& options, const Json& settings) {
@@ -84,6 +87,9 @@ Command train_command() {
                  "Folder for checkpoints (best.pt, last.pt), metrics, curves and report.html; if not given, the new "
                  "one 'train'",
                  "DIR"},
+                {"--recipe", recipe_choice(&train::Recipe::training, options->recipe),
+                 "best: the network that ships; paper: label, swarm, split, network and augmentation of the paper",
+                 "best|paper"},
                 {"--model", SettingPath{"model"}, "The network", "ddmodel|ddmodel-lite|mobilenetv3"},
                 {"--label", SettingPath{"label"}, "What the network learns to tell", "fisher|dispersion"},
                 {"--swarm", SettingPath{"image.swarm"}, "What of the swarm it sees", "response|step|absolute"},

@@ -80,7 +80,7 @@ for document in documents:
     for path, name in re.findall(r"`(lib/[\w/.]+)`: `(\w+)`", text):
         expect((root / path).is_file() and re.search(rf"\b{name}\b", (root / path).read_text()), document, f"{name} in {path}")
     for test in re.findall(r"`([A-Z]\w+\.[A-Z]\w+)`", text):
-        if test.split(".")[0] in suites or document.name == "equations.md":
+        if test.split(".")[0] in suites or document.name == "paper.md":
             expect(test in tests, document, f"the test {test}")
 
 print("\n".join(missing) or f"{checked} references in {len(documents)} documents")

@@ -14,14 +14,17 @@ namespace {
 using test::thrown_text;
 using testing::HasSubstr;
 
-/// A command that copies the settings it is run with into `seen`.
-Command probe(Json& seen) {
+/// A command that copies the settings it is run with into `seen`, and the chosen group of settings into `kind`.
+Command probe(Json& seen, std::string& kind) {
     return {
         .name = "probe",
         .summary = "Shows its settings",
         .example = "ddtool probe --particles 5",
         .settings = {{"filter", {{"particles", 30}}}, {"method", "m"}, {"fast", true}, {"laser_pose", {0.0, 0.0, 0.0}}},
-        .options = {{"--particles", SettingPath{"filter.particles"}, "How many"},
+        .options = {{"--kind",
+                     NamedSettings{{{"usual", Json::object()}, {"large", {{"filter", {{"particles", 500}}}}}}, &kind},
+                     "What kind"},
+                    {"--particles", SettingPath{"filter.particles"}, "How many"},
                     {"--method", SettingPath{"method"}, "Which"},
                     {"--fast", SettingPath{"fast"}, "Whether"},
                     {"--laser-pose", SettingPath{"laser_pose"}, "Where"}},
@@ -34,12 +37,13 @@ Command probe(Json& seen) {
 struct Outcome {
     ExitCode code = ExitCode::done;
     Json settings;
+    std::string kind = "usual";
     std::string out;
 };
 
 Outcome outcome(std::vector<const char*> words) {
     Outcome result;
-    const CommandTable commands{probe(result.settings)};
+    const CommandTable commands{probe(result.settings, result.kind)};
     words.insert(words.begin(), "ddtool");
     testing::internal::CaptureStdout();
     try {
@@ -67,6 +71,16 @@ TEST(Program, BoundOptionIsTheSettingItStandsFor) {
               outcome({"probe", "--set", "filter.particles=60"}).settings);
     EXPECT_EQ(outcome({"probe", "--laser-pose", "-0.1,0,3"}).settings,
               outcome({"probe", "--set", "laser_pose=[-0.1,0,3]"}).settings);
+}
+
+TEST(Program, NamedGroupOfSettingsComesBeforeAllOtherChanges) {
+    const Outcome result = outcome({"probe", "--kind", "large"});
+    EXPECT_EQ(result.settings["filter"]["particles"], 500);
+    EXPECT_EQ(result.kind, "large");
+    EXPECT_EQ(outcome({"probe", "--set", "filter.particles=60", "--kind", "large"}).settings["filter"]["particles"],
+              60);
+    EXPECT_EQ(outcome({"probe"}).kind, "usual");
+    EXPECT_EQ(refusal({"probe", "--kind", "huge"}), "--kind: expected usual, large, not 'huge'");
 }
 
 TEST(Program, BoundTextIsTakenAsItIs) {
@@ -123,7 +137,8 @@ TEST(Program, HelpShowsDefaultsAndAnExampleAndRunsNothing) {
 
 TEST(Program, BuiltinPlanLiesUnderTheUsersSettingsWhereTheyHaveNone) {
     Json seen;
-    Command command = probe(seen);
+    std::string kind;
+    Command command = probe(seen, kind);
     command.plan = BuiltinPlan{"plans/usual.json", R"({"method": "planned", "filter": {"particles": 7}} // why)",
                                [](const Json& settings) { return settings.at("method") == "m"; }};
     const CommandTable commands{std::move(command)};

@@ -56,6 +56,31 @@ TEST(RunId, ChangesWithEverySettingButTheMemorys) {
     EXPECT_EQ(run_id(changed), run_id(plain));
 }
 
+TEST(RunId, KeepsTheNameThatThePapersStrategiesOnThePlainFilterHad) {
+    Json before = configuration();
+    before["filter"]["method"] = "paper-strategies-on-ours";
+    EXPECT_EQ(identity_of(before).at("filter").at("method"), "paper");
+    EXPECT_FALSE(identity_of(before).at("filter").contains("failed_match"));
+    Json paper = configuration();
+    paper["filter"]["method"] = "paper";
+    EXPECT_NE(run_id(paper), run_id(before));
+    const std::string with_default = run_id(paper);
+    paper["filter"]["failed_match"]["least_score"] = 0.5;
+    EXPECT_NE(run_id(paper), with_default);
+}
+
+TEST(RunId, IsTheSameForGmappingWhateverItDoesNotUse) {
+    Json plain = configuration();
+    plain["filter"]["method"] = "gmapping";
+    Json changed = plain;
+    changed["filter"]["failed_match"]["least_score"] = 0.5;
+    EXPECT_EQ(run_id(changed), run_id(plain));
+    for (Json* const each : {&plain, &changed}) {
+        (*each)["filter"]["search"] = "coarse-fine";
+    }
+    EXPECT_NE(run_id(changed), run_id(plain));
+}
+
 TEST(RunId, TellsThePlainFilterFromGmappingThoughItOnceHadThatName) {
     Json plain = configuration();
     plain["filter"]["method"] = "rbpf";

@@ -190,11 +190,13 @@ TEST(GmappingFilter, AsksItsDetectorAndChangesNothingForWhatItSays) {
     ThreadPool threads(1);
     const GmappingSettings settings = few_hypotheses();
     std::size_t asked = 0;
-    GmappingFilter filter(settings, threads, [&](const ParticleSnapshot& swarm) {
+    GmappingStrategies strategies;
+    strategies.detector = [&](const ParticleSnapshot& swarm) {
         ++asked;
         EXPECT_EQ(swarm.particles.size(), settings.particles);
         return Degeneracy{1.0};
-    });
+    };
+    GmappingFilter filter(settings, threads, strategies);
     std::size_t updates = 0;
     for (const SensorFrame& frame : room_drive()) {
         if (const std::optional<Update> update = filter.update(frame)) {
@@ -203,6 +205,31 @@ TEST(GmappingFilter, AsksItsDetectorAndChangesNothingForWhatItSays) {
     }
     EXPECT_EQ(asked, updates - 1);
     EXPECT_EQ(poses_of(filter.trajectory()), poses_of(outcome_of(room_drive(), settings).trajectory));
+}
+
+TEST(GmappingFilter, TakesUpWhereItsStrategiesLeaveTheParticles) {
+    ThreadPool threads(1);
+    GmappingSettings settings = few_hypotheses();
+    settings.update_distance_m = 0.3;
+    GmappingStrategies strategies;
+    strategies.detector = [](const ParticleSnapshot&) { return Degeneracy{1.0}; };
+    strategies.failed_match = FailedMatchSettings{.least_score = 10.0, .search = std::nullopt, .weighs_odometry = true};
+    GmappingFilter filter(settings, threads, strategies);
+    std::size_t moved = 0;
+    for (const SensorFrame& frame : room_drive()) {
+        const std::vector<GmappingParticle> before(filter.particles().begin(), filter.particles().end());
+        const std::optional<Update> update = filter.update(frame);
+        for (std::size_t i = 0; update && !before.empty() && i < before.size(); ++i) {
+            const SnapshotParticle& matched = update->matched.particles[i];
+            const SnapshotParticle& corrected = update->corrected.particles[i];
+            const double since = corrected.log_likelihood - before[i].log_likelihood;
+            EXPECT_NEAR(since, corrected.log_likelihood_increment, 1e-9);
+            EXPECT_TRUE(corrected.matched_motion == matched.matched_motion ||
+                        corrected.matched_motion == matched.predicted_motion);
+            moved += corrected.pose == matched.pose ? 0 : 1;
+        }
+    }
+    EXPECT_GT(moved, 0U);
 }
 
 TEST(GmappingFilter, SaysHowSureItIsBetweenUpdates) {

@@ -61,15 +61,19 @@ TEST(Methods, OdometryIsTheOdometry) {
 
 TEST(Methods, AreTheirParts) {
     FilterSettings as_parts = settings_of("rbpf");
+    as_parts.method.parts = parts_of(settings_of("paper-strategies-on-ours").method);
+    EXPECT_EQ(poses_of(run(as_parts)), poses_of(run(settings_of("paper-strategies-on-ours"))));
+    as_parts = settings_of("gmapping");
     as_parts.method.parts = parts_of(settings_of("paper").method);
     EXPECT_EQ(poses_of(run(as_parts)), poses_of(run(settings_of("paper"))));
 }
 
 TEST(Methods, WithoutTheirPartsAreThePlainFilter) {
-    for (const char* name : {"paper", "anti-degeneracy", "fisher-gate"}) {
+    for (const char* name : {"paper", "paper-strategies-on-ours", "anti-degeneracy", "fisher-gate"}) {
+        const char* const plain = runs_gmapping(name) ? "gmapping" : "rbpf";
         FilterSettings settings = settings_of(name);
-        settings.method.parts = parts_of(settings_of("rbpf").method);
-        EXPECT_EQ(poses_of(run(settings)), poses_of(run(settings_of("rbpf")))) << name;
+        settings.method.parts = parts_of(settings_of(plain).method);
+        EXPECT_EQ(poses_of(run(settings)), poses_of(run(settings_of(plain)))) << name;
     }
 }
 
@@ -86,14 +90,32 @@ TEST(Methods, EachPartOfThePapersChangesTheOutcomeAlone) {
     }
 }
 
-TEST(Methods, GmappingTakesADetectorAndNoOtherPart) {
+TEST(Methods, GmappingTakesADetectorAndThePartsOfThePaperAlone) {
     FilterSettings settings = settings_of("gmapping");
+    settings.gmapping.update_distance_m = 0.3;
+    settings.gmapping.resample_share = 1.0;
     const std::vector<Pose2> plain = poses_of(run(settings));
     settings.method.parts.detector = "always";
     EXPECT_EQ(poses_of(run(settings)), plain);
+    const MethodParts paper = parts_of(settings_of("paper").method);
+    for (const auto part : {&MethodParts::search, &MethodParts::trust, &MethodParts::resampling}) {
+        FilterSettings with_part = settings;
+        with_part.gmapping.matcher.halvings = 0;  // leaves something for the search to improve
+        const std::vector<Pose2> without = poses_of(run(with_part));
+        with_part.method.parts.*part = paper.*part;
+        EXPECT_NE(poses_of(run(with_part)), without) << paper.*part;
+    }
     settings.method.parts.trust = "information";
-    EXPECT_THAT(test::thrown_text<UsageError>([&] { run(settings); }),
-                testing::HasSubstr("filter.trust: expected none with the method gmapping, not 'information'"));
+    EXPECT_THAT(
+        test::thrown_text<UsageError>([&] { run(settings); }),
+        testing::HasSubstr("filter.trust: expected none, lidar-score with the method gmapping, not 'information'"));
+}
+
+TEST(Methods, ThePapersIsGmappingWhereTheSwarmIsNotDegenerate) {
+    FilterSettings settings = settings_of("paper");
+    settings.method.parts.detector = "none";
+    settings.method.parts.resampling = "systematic";
+    EXPECT_EQ(poses_of(run(settings)), poses_of(run(settings_of("gmapping"))));
 }
 
 TEST(Methods, HaveTheirFiltersUpdateMotion) {
@@ -113,7 +135,7 @@ TEST(Methods, AskTheirDetectorInDoubtUnlessItIsThereToBeComparedWith) {
         settings.parts.gate = gate;
         return parts_of(settings).gate;
     };
-    for (const char* method : {"anti-degeneracy", "paper", "rbpf", "gmapping"}) {
+    for (const char* method : {"anti-degeneracy", "paper-strategies-on-ours", "rbpf", "gmapping"}) {
         for (const char* detector : {"always", "oracle", "none"}) {
             EXPECT_EQ(gate_of(method, detector), "none") << method << " with " << detector;
             EXPECT_EQ(gate_of(method, detector, "in-doubt"), "in-doubt") << method << " with " << detector;
@@ -125,6 +147,7 @@ TEST(Methods, AskTheirDetectorInDoubtUnlessItIsThereToBeComparedWith) {
     }
     EXPECT_EQ(gate_of("anti-degeneracy", ""), "in-doubt");
     EXPECT_EQ(gate_of("gmapping", ""), "none");
+    EXPECT_EQ(gate_of("paper", "some/model.pt"), "none") << "the paper asks its network at every update";
 }
 
 TEST(Methods, UnknownNamesAreRefusedWithTheKnownOnes) {
@@ -134,7 +157,7 @@ TEST(Methods, UnknownNamesAreRefusedWithTheKnownOnes) {
         return test::thrown_text<UsageError>([&] { run(settings); });
     };
     EXPECT_THAT(refusal([](MethodSettings& m) { m.method = "gmaping"; }),
-                testing::HasSubstr("filter.method: expected gmapping, rbpf, paper, anti-degeneracy"));
+                testing::HasSubstr("filter.method: expected gmapping, rbpf, paper, paper-strategies-on-ours"));
     EXPECT_THAT(refusal([](MethodSettings& m) { m.parts.search = "wide"; }),
                 testing::HasSubstr("filter.search: expected none, coarse-fine, correlative, not 'wide'"));
     EXPECT_THAT(refusal([](MethodSettings& m) { m.parts.trust = "x"; }), testing::HasSubstr("filter.trust: expected"));

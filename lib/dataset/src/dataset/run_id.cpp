@@ -43,8 +43,11 @@ Json odometry_learning_json() {
 
 Json identity_of_filter(Json filter) {
     filter = without_other_filters(std::move(filter));
+    // as they were called then; what has these names now has the settings of GMapping here, too
     if (filter.at("method") == "rbpf") {
-        filter["method"] = "gmapping";  // as it was called then; GMapping itself has its own settings here, too
+        filter["method"] = "gmapping";
+    } else if (filter.at("method") == "paper-strategies-on-ours") {
+        filter["method"] = "paper";
     }
     filter["grid"].erase("most_memory_mib");
     if (filter.at("gate").get<std::string>().empty()) {

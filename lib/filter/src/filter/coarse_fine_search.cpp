@@ -15,14 +15,8 @@ public:
         : context_(context), best_(start), best_score_(score(start)) {}
 
     void step(double step_m, double turn_rad) {
-        constexpr int directions = 8;
-        const Pose2 centre = best_;
-        for (int direction = 0; direction < directions; ++direction) {
-            const double angle = 2.0 * std::numbers::pi * direction / directions;
-            consider({centre.x_m + step_m * std::cos(angle), centre.y_m + step_m * std::sin(angle), centre.theta_rad});
-        }
-        for (const double turn : {-turn_rad, turn_rad}) {
-            consider({centre.x_m, centre.y_m, wrap_angle(centre.theta_rad + turn)});
+        for (const Pose2& pose : poses_around(best_, step_m, turn_rad)) {
+            consider(pose);
         }
     }
     [[nodiscard]] const Pose2& best() const { return best_; }
@@ -46,16 +40,27 @@ private:
 
 }  // namespace
 
+std::array<Pose2, 10> poses_around(const Pose2& centre, double step_m, double turn_rad) {
+    constexpr std::size_t directions = 8;
+    std::array<Pose2, directions + 2> poses;
+    for (std::size_t direction = 0; direction < directions; ++direction) {
+        const double angle = 2.0 * std::numbers::pi * static_cast<double>(direction) / directions;
+        poses[direction] = {centre.x_m + step_m * std::cos(angle), centre.y_m + step_m * std::sin(angle),
+                            centre.theta_rad};
+    }
+    poses[directions] = {centre.x_m, centre.y_m, wrap_angle(centre.theta_rad - turn_rad)};
+    poses[directions + 1] = {centre.x_m, centre.y_m, wrap_angle(centre.theta_rad + turn_rad)};
+    return poses;
+}
+
 std::size_t search_count(double degree) {
     return 1 + static_cast<std::size_t>(std::floor(std::clamp(degree, 0.0, 1.0) / 0.25));
 }
 
 ScanMatch CoarseFineSearch::correct(const MatchContext& context, const ScanMatch& found) const {
     Climb climb(context, found.pose);
-    for (std::size_t pair = 0; pair < search_count(context.degeneracy.degree); ++pair) {
-        climb.step(settings_.step_m, settings_.turn_rad);
-        climb.step(settings_.step_m / 2.0, settings_.turn_rad / 2.0);
-    }
+    coarse_to_fine(settings_, context.degeneracy.degree,
+                   [&](double step_m, double turn_rad) { climb.step(step_m, turn_rad); });
     if (climb.best() == found.pose) {
         return found;
     }

@@ -16,8 +16,11 @@ enum GmappingDraw : std::uint64_t { gmapping_motion_draw = 1, gmapping_resamplin
 
 }  // namespace
 
-GmappingFilter::GmappingFilter(const GmappingSettings& settings, ThreadPool& threads, DegeneracyDetector detector)
-    : settings_(settings), threads_(threads), detector_(std::move(detector)) {
+GmappingFilter::GmappingFilter(const GmappingSettings& settings, ThreadPool& threads, GmappingStrategies strategies)
+    : settings_(settings), threads_(threads), strategies_(std::move(strategies)) {
+    if (!strategies_.resampling) {
+        strategies_.resampling = std::make_shared<SystematicResampling>();
+    }
     for (std::size_t worker = 0; worker < threads_.size(); ++worker) {
         workers_.push_back({HillClimb(settings_.matcher), ScanInserter()});
     }
@@ -45,14 +48,19 @@ std::optional<Update> GmappingFilter::update(const SensorFrame& frame) {
         timed(times.match_s, [&] { match(beams); });
     }
     update.matched = snapshot(frame, odometry_motion);
-    if (!first && detector_) {
-        update.degeneracy = timed(times.detect_s, [&] { return detector_(update.matched); });
+    if (!first && strategies_.detector) {
+        update.degeneracy = timed(times.detect_s, [&] { return strategies_.detector(update.matched); });
     }
     update.corrected = update.matched;
+    if (!first && strategies_.failed_match) {
+        timed(times.correct_s, [&] {
+            rescue_failed(beams, update.degeneracy.degree);
+            update.corrected = snapshot(frame, odometry_motion);
+        });
+    }
     update.pose = best().pose * inverse(robot_from_laser_);
     update.covariance = covariance_ = pose_scatter(update.matched.particles, update.pose);
-    update.resampled =
-        !first && timed(times.resample_s, [&] { return resample_if_poor(weights_of(update.matched.particles)); });
+    update.resampled = !first && timed(times.resample_s, [&] { return resample_if_poor(update.corrected.particles); });
     timed(times.map_s, [&] { map_scan(beams, scan_points(frame, settings_.points)); });
     remember(frame, odometry_motion);
     return update;
@@ -69,6 +77,7 @@ GmappingFilter::Beams GmappingFilter::beams_of(const SensorFrame& frame) const {
     Beams beams{.robot_from_laser = frame.robot_from_laser * Pose2{0.0, 0.0, middle_rad}, .ends = {}};
     for (std::size_t beam = 0; beam < scan.ranges_m.size(); ++beam) {
         const auto range_m = static_cast<double>(scan.ranges_m[beam]);
+        beams.measured += std::isnan(range_m) ? 0 : 1;
         if (range_m <= usable_m) {
             const double angle_rad = scan.angle_rad(beam) - middle_rad;
             beams.ends.push_back({range_m * std::cos(angle_rad), range_m * std::sin(angle_rad)});
@@ -121,16 +130,33 @@ void GmappingFilter::match(const Beams& beams) {
     });
 }
 
-bool GmappingFilter::resample_if_poor(std::span<const double> weights) {
-    if (effective_sample_size(weights) >= settings_.resample_share * static_cast<double>(particles_.size())) {
+void GmappingFilter::rescue_failed(const Beams& beams, double degree) {
+    threads_.for_each(particles_.size(), [&](std::size_t index, std::size_t worker) {
+        GmappingParticle& particle = particles_[index];
+        const HillClimb::Found found =
+            rescued(*strategies_.failed_match, workers_[worker].matcher, particle.hits, beams.ends, beams.measured,
+                    {particle.pose, particle.fit}, particle.predicted, degree);
+        const double gained = found.fit.log_likelihood - particle.fit.log_likelihood;
+        particle.pose = found.pose;
+        particle.fit = found.fit;
+        particle.log_likelihood += gained;
+        particle.life_log_likelihood += gained;
+    });
+}
+
+bool GmappingFilter::resample_if_poor(std::span<const SnapshotParticle> swarm) {
+    if (effective_sample_size(weights_of(swarm)) >= settings_.resample_share * static_cast<double>(particles_.size())) {
         return false;
     }
     RandomStream random({settings_.seed, gmapping_resampling_draw, updates_});
     std::vector<GmappingParticle> next;
     next.reserve(particles_.size());
-    for (const std::size_t parent : systematic_resampling(weights, random.uniform())) {
-        next.push_back(particles_[parent]);
+    for (const Descendant& descendant : strategies_.resampling->resample(swarm, random)) {
+        next.push_back(particles_[descendant.parent]);
         next.back().log_likelihood = 0.0;
+        if (descendant.pose != swarm[descendant.parent].pose) {
+            next.back().pose = descendant.pose * robot_from_laser_;
+        }
         path_.acquire(next.back().past);
     }
     for (const GmappingParticle& particle : particles_) {

@@ -23,6 +23,13 @@ const std::vector<Method>& methods() {
         {"gmapping", {}, FilterKind::gmapping},
         {"rbpf", {}},
         {"paper",
+         {.detector = "covariance",
+          .gate = "none",
+          .search = "coarse-fine",
+          .trust = "lidar-score",
+          .resampling = "enhanced"},
+         FilterKind::gmapping},
+        {"paper-strategies-on-ours",
          {.detector = "covariance", .search = "coarse-fine", .trust = "lidar-score", .resampling = "enhanced"}},
         {"anti-degeneracy", {.detector = shipped_model_name, .trust = "information", .odometry = "learnt"}},
         {"fisher-gate", {.trust = "eigenvalue-gate"}},
@@ -108,20 +115,36 @@ FilterStrategies strategies_of(const FilterSettings& settings, const DetectorTab
     return strategies;
 }
 
-/// Throws UsageError unless all parts but the detector are those of the method itself.
-void expect_own_parts(const MethodSettings& settings) {
+/// Throws UsageError for a part that a GmappingFilter cannot have.
+void expect_parts_of_gmapping(const MethodSettings& settings) {
     const MethodParts parts = parts_of(settings);
-    const MethodParts own = method_of(settings.method).parts;
-    const auto expect = [&](const char* key, const std::string& used, const std::string& allowed) {
-        if (used != allowed) {
-            throw UsageError(std::string("filter.") + key + ": expected " + allowed + " with the method " +
+    const auto expect = [&](const char* key, const std::string& used, const std::vector<std::string>& allowed) {
+        if (std::ranges::find(allowed, used) == allowed.end()) {
+            throw UsageError(std::string("filter.") + key + ": expected " + joined(allowed) + " with the method " +
                              settings.method + ", not '" + used + "'; other parts go with the method rbpf");
         }
     };
-    expect("search", parts.search, own.search);
-    expect("trust", parts.trust, own.trust);
-    expect("resampling", parts.resampling, own.resampling);
-    expect("odometry", parts.odometry, own.odometry);
+    expect("search", parts.search, {"none", "coarse-fine"});
+    expect("trust", parts.trust, {"none", "lidar-score"});
+    expect("resampling", parts.resampling, resampling_names());
+    expect("odometry", parts.odometry, {"as-logged"});
+}
+
+GmappingStrategies gmapping_strategies_of(const FilterSettings& settings, const DetectorTable& detectors) {
+    expect_parts_of_gmapping(settings.method);
+    const MethodParts parts = parts_of(settings.method);
+    GmappingStrategies strategies{
+        .detector = detector_of(settings, detectors),
+        .failed_match = std::nullopt,
+        .resampling = chosen(resampling_choices(settings.method), "resampling", parts.resampling)};
+    if (parts.search != "none" || parts.trust != "none") {
+        strategies.failed_match = settings.method.failed_match;
+        strategies.failed_match->weighs_odometry = parts.trust != "none";
+        if (parts.search != "none") {
+            strategies.failed_match->search = settings.method.coarse_fine;
+        }
+    }
+    return strategies;
 }
 
 /// Three quarters of the memory that was free when the process made its first filter. It is determined only once,
@@ -161,8 +184,10 @@ MethodParts parts_of(const MethodSettings& settings) {
     return parts;
 }
 
+bool runs_gmapping(const std::string& method) { return method_of(method).filter == FilterKind::gmapping; }
+
 UpdateMotion update_motion(const FilterSettings& settings) {
-    return method_of(settings.method.method).filter == FilterKind::gmapping
+    return runs_gmapping(settings.method.method)
                ? UpdateMotion{settings.gmapping.update_distance_m, settings.gmapping.update_turn_rad}
                : UpdateMotion{settings.rbpf.update_distance_m, settings.rbpf.update_turn_rad};
 }
@@ -175,13 +200,12 @@ std::unique_ptr<ParticleFilter> make_filter(const FilterSettings& settings, cons
     }
     const FilterKind kind = method_of(settings.method.method).filter;
     if (kind == FilterKind::gmapping) {
-        expect_own_parts(settings.method);
         GmappingSettings gmapping = settings.gmapping;
         gmapping.particles = rbpf.particles;
         gmapping.seed = rbpf.seed;
         gmapping.grid = rbpf.grid;
         gmapping.points = rbpf.points;
-        return std::make_unique<GmappingFilter>(gmapping, threads, detector_of(settings, detectors));
+        return std::make_unique<GmappingFilter>(gmapping, threads, gmapping_strategies_of(settings, detectors));
     }
     if (kind == FilterKind::rbpf_of_one_particle) {
         rbpf.particles = 1;

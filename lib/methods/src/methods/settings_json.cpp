@@ -11,6 +11,7 @@ namespace {
 /// Slightly more than pi, so that pi itself is allowed.
 constexpr double half_turn_rad = 3.15;
 constexpr const char* gmapping_name = "gmapping";
+constexpr const char* failed_match_name = "failed_match";
 constexpr const char* grisetti = "Grisetti et al. 2007";
 
 const SettingTable<MotionNoise>& motion_rows() {
@@ -154,7 +155,7 @@ const SettingTable<GmappingSettings>& gmapping_rows() {
     using Gmapping = GmappingSettings;
     static const SettingTable<Gmapping> rows{
         {"update_distance_m", &Gmapping::update_distance_m, Allowed::number(1e-3, 100.0), "m",
-         "The method gmapping updates when the odometry has moved this far since the last update.",
+         "The filter of GMapping updates when the odometry has moved this far since the last update.",
          "slam_gmapping's linearUpdate"},
         {"update_turn_rad", &Gmapping::update_turn_rad, Allowed::number(1e-3, 100.0), "rad",
          "It updates, too, when the odometry has turned this much.", "slam_gmapping's angularUpdate"},
@@ -289,6 +290,17 @@ const SettingTable<EnhancedResamplingSettings>& enhanced_resampling_rows() {
     return rows;
 }
 
+const SettingTable<FailedMatchSettings>& failed_match_rows() {
+    static const SettingTable<FailedMatchSettings> rows{
+        {"least_score", &FailedMatchSettings::least_score, Allowed::number(0.0, 10.0), "",
+         "In the filter of GMapping, coarse-fine and lidar-score act where the match's score per beam, times phi(c), "
+         "is "
+         "not above this.",
+         "the paper, eq. pose_es; GMapping's minimumScore"},
+    };
+    return rows;
+}
+
 /// The names of the parts are on the same level of the JSON as the settings of the filter. The settings of the parts
 /// are groups that follow them.
 const SettingTable<FilterSettings>& filter_rows() {
@@ -305,6 +317,7 @@ const SettingTable<FilterSettings>& filter_rows() {
         {"fusion", &Method::fusion, fusion_rows()},
         {"eigenvalue_gate", &Method::eigenvalue_gate, eigenvalue_gate_rows()},
         {"enhanced_resampling", &Method::enhanced_resampling, enhanced_resampling_rows()},
+        {failed_match_name, &Method::failed_match, failed_match_rows()},
     };
     static const SettingTable<FilterSettings> rows{
         {&FilterSettings::method, names},
@@ -338,8 +351,13 @@ Json common_filter_json() {
 }
 
 Json without_other_filters(Json filter) {
-    if (filter.at("method") != gmapping_name) {
+    const auto is_used = [&](const char* part) { return filter.at(part) != "" && filter.at(part) != "none"; };
+    const auto method = filter.at("method").get<std::string>();
+    if (!runs_gmapping(method)) {
         filter.erase(gmapping_name);
+    }
+    if (!runs_gmapping(method) || (method == gmapping_name && !is_used("search") && !is_used("trust"))) {
+        filter.erase(failed_match_name);
     }
     return filter;
 }

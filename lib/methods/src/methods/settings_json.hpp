@@ -13,8 +13,8 @@ const std::vector<Setting>& filter_setting_list();
 /// Every setting of the filter with its value; the keys are the names of the fields.
 Json filter_settings_json(const FilterSettings& settings);
 
-/// The JSON without the settings of filters that its method does not use, so that results are recognised by what
-/// decided them alone.
+/// The JSON without the settings of filters and of their parts that its method does not use, so that results are
+/// recognised by what decided them alone.
 Json without_other_filters(Json filter);
 
 /// Reads the settings back from such JSON. Throws UsageError naming the key for an invalid value.

@@ -55,6 +55,8 @@ public:
     /// Loads an exported model or a checkpoint. Throws Error naming the file and what is wrong with it.
     [[nodiscard]] virtual std::unique_ptr<DegreeModel> load(const std::filesystem::path& file,
                                                             const RunOptions& options) const = 0;
+    /// What such a file says of its network, without making the network ready to run. Throws Error as load() does.
+    [[nodiscard]] virtual ModelDescription describe(const std::filesystem::path& file) const = 0;
 };
 
 /// Provides the engine; main() sets it. It may start another program in place of this one.

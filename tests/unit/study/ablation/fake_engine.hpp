@@ -61,6 +61,9 @@ public:
         }
         return std::make_unique<BrightnessModel>(Json::parse(read_file(file)).get<train::TrainSettings>());
     }
+    [[nodiscard]] ModelDescription describe(const std::filesystem::path& file) const override {
+        return load(file, {})->description();
+    }
 
     mutable std::size_t trainings = 0;
     bool stop = false;

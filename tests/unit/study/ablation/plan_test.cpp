@@ -48,8 +48,8 @@ TEST(Plan, MistakesAreNamedByTheirPlace) {
 }
 
 TEST(Plan, ThatOfThePaperHasEveryRowOfItsTableAndTheOthersAreOnesToo) {
-    for (const auto& [name, rows] :
-         {std::pair("paper", 11U), std::pair("quick", 5U), std::pair("swarms", 13U), std::pair("two-cores", 10U)}) {
+    for (const auto& [name, rows] : {std::pair("paper", 11U), std::pair("paper-pairing", 4U), std::pair("quick", 5U),
+                                     std::pair("swarms", 13U), std::pair("two-cores", 10U)}) {
         Json json = default_plan_json();
         merge_settings_file(json, std::string(DDTOOL_SOURCE_DIR) + "/configs/ablation/" + name + ".json");
         const Plan plan = plan_from_json(json);

@@ -2,16 +2,19 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
 
 #include "ddtool/base/thread_pool.hpp"
+#include "ddtool/filter/failed_match.hpp"
 #include "ddtool/filter/hill_climb.hpp"
 #include "ddtool/filter/hit_map.hpp"
 #include "ddtool/filter/particle_filter.hpp"
 #include "ddtool/filter/path_record.hpp"
 #include "ddtool/filter/scan_insertion.hpp"
+#include "ddtool/filter/strategies.hpp"
 #include "ddtool/robot/scan_points.hpp"
 #include "ddtool/swarm/motion_model.hpp"
 
@@ -39,6 +42,14 @@ struct GmappingSettings {
     static constexpr double range_margin_m = 0.01;
 };
 
+/// What is added to GMapping. Where a member is empty, the swarm never counts as degenerate, the match is kept, or
+/// resampling is systematic, as in GMapping itself.
+struct GmappingStrategies {
+    DegeneracyDetector detector;
+    std::optional<FailedMatchSettings> failed_match;
+    std::shared_ptr<const Resampling> resampling;
+};
+
 /// A hypothesis of the GmappingFilter.
 struct GmappingParticle {
     Pose2 pose;                        ///< world_from_laser at the latest scan
@@ -55,12 +66,12 @@ struct GmappingParticle {
 /// OpenSLAM GMapping as its ROS node slam_gmapping runs it, made from its algorithm (Grisetti, Stachniss, Burgard,
 /// "Improved techniques for grid mapping with Rao-Blackwellized particle filters", IEEE T-RO 2007). With the same draws
 /// it takes the same decisions (docs/filter.md). As there, the particles are hypotheses of the laser's pose, and every
-/// scan moves them by its own noisy odometry motion. The same seed gives the same results, byte for byte, with any
-/// number of threads.
+/// scan moves them by its own noisy odometry motion. With strategies it is the paper's method. The same seed gives the
+/// same results, byte for byte, with any number of threads.
 class GmappingFilter : public ParticleFilter {
 public:
-    /// `threads` must outlive the filter. The detector judges the swarm; nothing is changed for what it says.
-    GmappingFilter(const GmappingSettings& settings, ThreadPool& threads, DegeneracyDetector detector = {});
+    /// `threads` must outlive the filter.
+    GmappingFilter(const GmappingSettings& settings, ThreadPool& threads, GmappingStrategies strategies = {});
 
     std::optional<Update> update(const SensorFrame& frame) override;
 
@@ -76,6 +87,7 @@ private:
     struct Beams {
         Pose2 robot_from_laser;
         std::vector<Point2> ends;  ///< end points in the laser's frame
+        std::size_t measured = 0;  ///< beams that did not fail, those without return or beyond the usable range, too
         double reach_m = 0.0;      ///< the longest range among them
     };
     /// Working memory of one thread.
@@ -89,14 +101,15 @@ private:
     void propagate(const Pose2& odom_from_laser);
     [[nodiscard]] double motion_share() const;
     void match(const Beams& beams);
-    bool resample_if_poor(std::span<const double> weights);
+    void rescue_failed(const Beams& beams, double degree);
+    bool resample_if_poor(std::span<const SnapshotParticle> swarm);
     void map_scan(const Beams& beams, const ScanPoints& points);
     void remember(const SensorFrame& frame, const Pose2& odometry_motion);
     [[nodiscard]] ParticleSnapshot snapshot(const SensorFrame& frame, const Pose2& odometry_motion) const;
 
     GmappingSettings settings_;
     ThreadPool& threads_;
-    DegeneracyDetector detector_;
+    GmappingStrategies strategies_;
     std::vector<Worker> workers_;
     std::vector<GmappingParticle> particles_;
     PathRecord path_;

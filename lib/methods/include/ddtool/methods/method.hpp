@@ -36,6 +36,8 @@ struct MethodSettings {
     FusionSettings fusion;
     EigenvalueGateSettings eigenvalue_gate;
     EnhancedResamplingSettings enhanced_resampling;
+    /// of the parts coarse-fine and lidar-score in a GmappingFilter; which of its strategies act follows from the parts
+    FailedMatchSettings failed_match;
 };
 
 /// All settings of a filter. The number of particles, the seed, the grid and the scan points of `rbpf` hold for the
@@ -59,6 +61,9 @@ std::vector<std::string> odometry_names();
 /// UsageError for an unknown method.
 MethodParts parts_of(const MethodSettings& settings);
 
+/// Whether the method's filter is a GmappingFilter. Throws UsageError for an unknown method.
+bool runs_gmapping(const std::string& method);
+
 /// The motion of the odometry that makes the filter of these settings update.
 struct UpdateMotion {
     double distance_m = 0.0;
@@ -66,11 +71,11 @@ struct UpdateMotion {
 };
 UpdateMotion update_motion(const FilterSettings& settings);
 
-/// Makes the filter of a method: a GmappingFilter for "gmapping", an Rbpf for all others. A method with a single
-/// hypothesis gets one particle, whatever the settings say. If the settings set no memory limit, the maps may take
-/// three quarters of the memory that was free on the machine when the process made its first filter with this default.
-/// `threads` must outlive the filter. Throws UsageError for an unknown name and for a part that the method cannot have,
-/// and Error for a detector that cannot be made.
+/// Makes the filter of a method: a GmappingFilter for "gmapping" and "paper", an Rbpf for all others. A method with a
+/// single hypothesis gets one particle, whatever the settings say. If the settings set no memory limit, the maps may
+/// take three quarters of the memory that was free on the machine when the process made its first filter with this
+/// default. `threads` must outlive the filter. Throws UsageError for an unknown name and for a part that the method
+/// cannot have, and Error for a detector that cannot be made.
 std::unique_ptr<ParticleFilter> make_filter(const FilterSettings& settings, const DetectorTable& detectors,
                                             ThreadPool& threads);
 

@@ -52,11 +52,16 @@ void trace_forward(torch::jit::Module& owner, Network& network, const ModelDescr
     owner.type()->addMethod(owner._ivalue()->compilation_unit()->create_function(name, traced.first->graph));
 }
 
-/// Whether the archive contains this extra file. Every archive of LibTorch is a zip file, whose directory lists its
-/// files.
-bool has_file(const std::filesystem::path& path, const std::string& name) {
+/// The text of this extra file of the archive, empty if there is none. Every archive of LibTorch is a zip file, so that
+/// the rest of it need not be read.
+std::string extra_text(const std::filesystem::path& path, const std::string& name) {
     caffe2::serialize::PyTorchStreamReader reader(path.string());
-    return reader.hasRecord("extra/" + name);
+    const std::string record = "extra/" + name;
+    if (!reader.hasRecord(record)) {
+        return "";
+    }
+    const auto [bytes, size] = reader.getRecord(record);
+    return {static_cast<const char*>(bytes.get()), size};
 }
 
 ModelDescription description_in(const std::string& text, const std::filesystem::path& path) {
@@ -101,7 +106,13 @@ bool is_exported_model(const std::filesystem::path& path) {
         throw Error(path.string() + ": no such file; expected a model of ddtool export, or a checkpoint");
     }
     return guarded_by_path(path, "neither a TorchScript model nor a checkpoint, or cut short",
-                           [&] { return has_file(path, description_file); });
+                           [&] { return !extra_text(path, description_file).empty(); });
+}
+
+ModelDescription description_of_torch_script(const std::filesystem::path& path) {
+    const std::string text =
+        guarded_by_path(path, "not a TorchScript model of ddtool", [&] { return extra_text(path, description_file); });
+    return description_in(text, path);
 }
 
 std::unique_ptr<DegreeModel> load_torch_script(const std::filesystem::path& path, const train::RunOptions& options) {

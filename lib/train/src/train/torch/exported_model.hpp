@@ -18,6 +18,9 @@ void write_torch_script(const std::filesystem::path& path, Network& network, con
 /// Whether the file was written by write_torch_script() and is not a checkpoint. Throws Error if it is neither.
 bool is_exported_model(const std::filesystem::path& path);
 
+/// The description in a model that write_torch_script() wrote. Throws Error naming the file.
+ModelDescription description_of_torch_script(const std::filesystem::path& path);
+
 /// Loads a model that write_torch_script() wrote. Throws Error naming the file if it is damaged, is not a model of
 /// ddtool, or has another checksum in a SHA256SUMS in its folder. TorchScript is a program, so load only files that you
 /// trust.

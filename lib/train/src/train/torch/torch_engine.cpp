@@ -81,6 +81,10 @@ public:
         Checkpoint checkpoint(file);
         return model_of(checkpoint, options);
     }
+
+    [[nodiscard]] ModelDescription describe(const std::filesystem::path& file) const override {
+        return is_exported_model(file) ? description_of_torch_script(file) : Checkpoint(file).description();
+    }
 };
 
 }  // namespace
