@@ -17,4 +17,7 @@ struct SettingList {
 /// The settings of every command that has any.
 std::vector<SettingList> setting_lists();
 
+/// The setting of slam that says whether there is a back end.
+Setting back_end_setting();
+
 }  // namespace ddtool
