@@ -13,8 +13,6 @@ namespace {
 
 Setting group(const std::string& key, const std::vector<Setting>& settings) { return {key, {}, "", "", "", settings}; }
 
-}  // namespace
-
 Setting back_end_setting() {
     return {"back_end",
             Allowed::one_of({"graph", "none"}),
@@ -22,6 +20,13 @@ Setting back_end_setting() {
             "Whether a pose graph closes loops and smooths the path at the end of the run.",
             "docs/graph.md",
             {}};
+}
+
+}  // namespace
+
+bool asks_for_graph(const Json& settings) {
+    expect_allowed(settings, {back_end_setting()}, "");
+    return settings.at("back_end") == "graph";
 }
 
 std::vector<SettingList> setting_lists() {

@@ -17,7 +17,7 @@ struct SettingList {
 /// The settings of every command that has any.
 std::vector<SettingList> setting_lists();
 
-/// The setting of slam that says whether there is a back end.
-Setting back_end_setting();
+/// Whether the settings of slam ask for the pose graph. Throws UsageError for a value that `back_end` cannot have.
+bool asks_for_graph(const Json& settings);
 
 }  // namespace ddtool

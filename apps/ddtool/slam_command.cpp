@@ -73,8 +73,7 @@ FilterRun run_over(DrivenScans& scans, std::unique_ptr<ParticleFilter> filter, c
 }
 
 std::optional<graph::BackEnd> back_end_of(const Json& settings, const FilterSettings& filter) {
-    expect_allowed(settings, {back_end_setting()}, "");
-    return settings.at("back_end") == "graph" ? std::optional<graph::BackEnd>(filter.rbpf) : std::nullopt;
+    return asks_for_graph(settings) ? std::optional<graph::BackEnd>(filter.rbpf) : std::nullopt;
 }
 
 /// Replaces the path and the map of the run by those of the back end. Where it cannot finish, the run stays as the
