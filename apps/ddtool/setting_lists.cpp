@@ -13,15 +13,29 @@ namespace {
 
 Setting group(const std::string& key, const std::vector<Setting>& settings) { return {key, {}, "", "", "", settings}; }
 
+Setting back_end_setting() {
+    return {"back_end",
+            Allowed::one_of({"graph", "none"}),
+            "",
+            "Whether a pose graph closes loops and smooths the path at the end of the run.",
+            "docs/graph.md",
+            {}};
+}
+
 }  // namespace
+
+bool asks_for_graph(const Json& settings) {
+    expect_allowed(settings, {back_end_setting()}, "");
+    return settings.at("back_end") == "graph";
+}
 
 std::vector<SettingList> setting_lists() {
     // a named object, because GCC 12 warns that a temporary might be used uninitialised
     const train::TrainSettings training;
     return {
         {"slam",
-         {group("log", log_setting_list()), group("filter", filter_setting_list())},
-         {{"log", default_log_settings()}, {"filter", filter_settings_json({})}}},
+         {group("log", log_setting_list()), group("filter", filter_setting_list()), back_end_setting()},
+         {{"log", default_log_settings()}, {"filter", filter_settings_json({})}, {"back_end", "none"}}},
         {"simulate", sim::simulation_setting_list(), sim::default_simulation_json()},
         {"build-dataset", dataset::build_setting_list(), dataset::default_build_json()},
         {"train", train::train_setting_list(), training},

@@ -17,4 +17,7 @@ struct SettingList {
 /// The settings of every command that has any.
 std::vector<SettingList> setting_lists();
 
+/// Whether the settings of slam ask for the pose graph. Throws UsageError for a value that `back_end` cannot have.
+bool asks_for_graph(const Json& settings);
+
 }  // namespace ddtool

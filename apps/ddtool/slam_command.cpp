@@ -9,6 +9,7 @@
 #include "ddtool/methods/driven_scans.hpp"
 #include "ddtool/robot/scan_truth.hpp"
 #include "detectors.hpp"
+#include "graph/back_end.hpp"
 #include "log_options.hpp"
 #include "logs/stream/live_log.hpp"
 #include "methods/settings_json.hpp"
@@ -18,6 +19,7 @@
 #include "run/run_folder.hpp"
 #include "run/run_page.hpp"
 #include "run/run_summary.hpp"
+#include "setting_lists.hpp"
 #include "slam_report.hpp"
 #include "system/interrupt.hpp"
 #include "system/log.hpp"
@@ -54,17 +56,45 @@ struct Served {
 /// Runs the filter over the scans. The filter is destroyed at the end, so that the memory of its particles can be
 /// returned before the pictures are drawn.
 FilterRun run_over(DrivenScans& scans, std::unique_ptr<ParticleFilter> filter, const InterruptRequest& interrupt,
-                   RunFolder& folder, check::SelfCheck& check, Served* served) {
+                   RunFolder& folder, check::SelfCheck& check, graph::BackEnd* back_end, Served* served) {
     Progress progress("slam", "scans");
     return run_filter(scans, *filter, [&](const SensorFrame& frame, const std::optional<Update>& update) {
         folder.add(frame, update, *filter);
         check.add(frame, update);
+        if (back_end != nullptr) {
+            back_end->add(frame, update);
+        }
         if (served != nullptr) {
             served->run.add(frame, update, *filter);
         }
         progress.update(scans.fraction_read(), scans.summary().scans);
         return !interrupt.made();
     });
+}
+
+std::optional<graph::BackEnd> back_end_of(const Json& settings, const FilterSettings& filter) {
+    return asks_for_graph(settings) ? std::optional<graph::BackEnd>(filter.rbpf) : std::nullopt;
+}
+
+/// Replaces the path and the map of the run by those of the back end. Where it cannot finish, the run stays as the
+/// filter made it, and `problem` says why.
+std::optional<BackEndResults> smoothed(const graph::BackEnd& back_end, FilterRun& run, std::string& problem) {
+    const auto start = Clock::now();
+    const double cpu_before_s = process_usage().cpu_s;
+    try {
+        BackEndResults results{
+            .smoothed = back_end.finish(run.trajectory), .by_filter = run.trajectory, .ground_truth = run.ground_truth};
+        results.wall_s = std::chrono::duration<double>(Clock::now() - start).count();
+        results.cpu_s = process_usage().cpu_s - cpu_before_s;
+        run.trajectory = results.smoothed.trajectory;
+        if (results.smoothed.map) {
+            run.map = *results.smoothed.map;
+        }
+        return results;
+    } catch (const Error& error) {
+        problem = std::string("the back end was left out, path and map are the filter's: ") + error.what();
+        return std::nullopt;
+    }
 }
 
 /// The reasons, other than damage, why less of the log was used than it holds or a run needs.
@@ -118,6 +148,7 @@ std::unique_ptr<LogStream> open(const SlamRequest& request, const LogOptions& op
 ExitCode slam(const SlamRequest& request, const Json& settings) {
     const auto start = Clock::now();
     const FilterSettings filter_settings = filter_settings_from_json(settings.at("filter"));
+    std::optional<graph::BackEnd> back_end = back_end_of(settings, filter_settings);
     ThreadPool threads(request.threads);
     const auto truth = std::make_shared<ScanTruth>();
     DetectorTable detectors = all_detectors();
@@ -132,16 +163,21 @@ ExitCode slam(const SlamRequest& request, const Json& settings) {
     const OutputFolder output(request.folder, name_of_results(request.log));
     RunFolder folder(output.path(), request.with_snapshots);
     check::SelfCheck check;
-    const FilterRun result = run_over(scans, std::move(filter), interrupt, folder, check, served.get());
+    FilterRun result =
+        run_over(scans, std::move(filter), interrupt, folder, check, back_end ? &*back_end : nullptr, served.get());
     return_freed_memory();  // returns the memory of the particles' maps before the pictures are drawn
     if (result.trajectory.empty()) {
         throw Error(request.log + ": no scans that can be used");
     }
+    std::string back_end_problem;
+    const std::optional<BackEndResults> results_of_back_end =
+        back_end ? smoothed(*back_end, result, back_end_problem) : std::nullopt;
     const MapRaster map = map_raster(result.map);
     if (served) {
         served->run.finish(map, result.trajectory);
     }
     folder.finish(result, map);
+    folder.write_back_end(results_of_back_end ? &*results_of_back_end : nullptr);
     folder.write_json("config.json", settings);
     const RunSummary run = run_summary(result, map, folder.course(), folder.write_s());
     const RunCost cost = run_cost(request.threads, start);
@@ -158,10 +194,14 @@ ExitCode slam(const SlamRequest& request, const Json& settings) {
                        {"ended_early", result.ended_early},
                        {"run", to_run_json(run)},
                        {"self_check", check::self_check_json(verdict, evidence)},
+                       {"back_end", results_of_back_end ? back_end_json(*results_of_back_end) : Json()},
                        {"cost", cost}};
     folder.write_json("run.json", results);
     std::vector<std::string> losses = shortfalls(request.log, scans.summary(), interrupt, result);
     const std::vector<std::string> doubts = doubts_of(verdict);
+    if (!back_end_problem.empty()) {
+        losses.push_back(request.log + ": " + back_end_problem);
+    }
     losses.insert(losses.end(), doubts.begin(), doubts.end());
     std::vector<std::string> warnings = log_warnings(scans.summary());
     warnings.insert(warnings.end(), losses.begin(), losses.end());
@@ -175,6 +215,7 @@ ExitCode slam(const SlamRequest& request, const Json& settings) {
                          .cost = cost,
                          .self_check = check::name_of(verdict.standing),
                          .image = image_seen_by(parts_of(filter_settings.method).detector),
+                         .back_end = results_of_back_end ? &*results_of_back_end : nullptr,
                          .settings = settings,
                          .log = log,
                          .versions = versions});
@@ -207,6 +248,8 @@ Command slam_command() {
         {"--detector", SettingPath{"filter.detector"},
          "What tells the degree, or a model's file; empty: the method's own",
          choices(all_detectors().names()) + "|FILE"},
+        {"--back-end", SettingPath{"back_end"},
+         "graph: at the end, close loops and smooth the path with a pose graph, and draw the map anew", "graph|none"},
         {"--particles", SettingPath{"filter.particles"}, "Hypotheses, each with its own map"},
         {"--seed", SettingPath{"filter.seed"}, "Of all chance: the same seed gives the same result"},
         {"--max-memory", SettingPath{"filter.grid.most_memory_mib"},
@@ -233,7 +276,7 @@ Command slam_command() {
     return {.name = "slam",
             .summary = "Map and trajectory from a log",
             .example = "ddtool slam --log run.mcap",
-            .settings = {{"log", default_log_settings()}, {"filter", filter_settings_json({})}},
+            .settings = {{"log", default_log_settings()}, {"filter", filter_settings_json({})}, {"back_end", "none"}},
             .options = std::move(options),
             .run = [request](const Json& settings) { return slam(*request, settings); }};
 }

@@ -30,6 +30,7 @@ const std::map<std::string, Reader>& readers() {
          [](const Json& settings) {
              (void)log_options(settings.at("log"));
              (void)filter_settings_from_json(settings.at("filter"));
+             (void)asks_for_graph(settings);
          }},
         {"simulate", [](const Json& settings) { (void)sim::simulation_from_json(settings); }},
         {"build-dataset",

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "graph/g2o_file.hpp"
 #include "report/map_files.hpp"
 #include "report/map_picture.hpp"
 #include "system/atomic_file.hpp"
@@ -14,6 +15,9 @@ constexpr const char* result_name = "result.mcap";
 constexpr const char* snapshots_name = "snapshots.mcap";
 constexpr const char* degeneracy_name = "degeneracy.csv";
 constexpr const char* online_name = "trajectory_online.tum";
+constexpr const char* filter_path_name = "trajectory_filter.tum";
+constexpr const char* graph_name = "graph.g2o";
+constexpr const char* nodes_name = "graph_nodes.csv";
 constexpr const char* page_name = "report.html";
 
 }  // namespace
@@ -53,6 +57,19 @@ void RunFolder::finish(const FilterRun& run, const MapRaster& map) {
     files_.insert(files_.end(), {"map.pgm", "map.yaml"});
     write_map_picture(place("map.png"), map, run.trajectory);
     write_degeneracy_picture(place("degeneracy.png"), course_.updates(), map, run.trajectory);
+}
+
+void RunFolder::write_back_end(const BackEndResults* results) {
+    if (results == nullptr) {
+        for (const char* name : {filter_path_name, graph_name, nodes_name}) {
+            std::filesystem::remove(folder_ / name);
+        }
+        return;
+    }
+    const StageTimer timer(write_s_);
+    write_trajectory(filter_path_name, results->by_filter);
+    graph::write_g2o(place(graph_name), results->smoothed.graph);
+    write_graph_nodes(place(nodes_name), results->smoothed);
 }
 
 void RunFolder::write_json(const std::string& name, const Json& content) {

@@ -9,6 +9,7 @@
 #include "ddtool/system/settings.hpp"
 #include "report/map_raster.hpp"
 #include "report/page.hpp"
+#include "run/back_end_results.hpp"
 #include "run/degeneracy_files.hpp"
 #include "run/result_log.hpp"
 #include "run/run_course.hpp"
@@ -29,6 +30,8 @@ public:
     void add(const SensorFrame& frame, const std::optional<Update>& update, const ParticleFilter& filter);
     /// Writes the trajectories, the map and its picture, and completes the MCAP files.
     void finish(const FilterRun& run, const MapRaster& map);
+    /// Writes the graph, its nodes and the path before the back end; without results removes those of an earlier run.
+    void write_back_end(const BackEndResults* results);
     void write_json(const std::string& name, const Json& content);
     /// Writes report.html as report::write_page() does and returns whether it could be written.
     bool write_page(const std::function<report::Page()>& make);

@@ -82,6 +82,16 @@ void add_worst_moments(report::Page& page, const RunCourse& course, const RunExp
     page.moments(moments);
 }
 
+void add_loops(report::Page& page, const BackEndResults& back_end) {
+    const graph::Smoothed& smoothed = back_end.smoothed;
+    page.section("Loops")
+        .text("The pose graph has " + std::to_string(smoothed.graph.poses.size()) + " nodes. " +
+              (smoothed.map ? "The loops contradict the filter's path, so that path and map are those of the graph. "
+                            : "The loops agree with the filter's path, so that path and map are the filter's. ") +
+              "Pairs of places that might be the same were compared; " + "run.json lists each.")
+        .table(loop_table(smoothed.loops));
+}
+
 Table stage_table(const RunSummary& run) {
     Table table({{"stage"}, {"wall time [s]"}});
     for (const auto& [name, seconds] : stages_of(run)) {
@@ -101,6 +111,9 @@ report::Page run_page(const RunPageContent& content) {
             "Point at the path or at a line to see what was so there; click a line to bring its place into view. The "
             "marks at the bottom of the effective sample size are resamplings.")
         .explorer(explorer.data);
+    if (content.back_end != nullptr) {
+        add_loops(page, *content.back_end);
+    }
     add_worst_moments(page, content.course, explorer, content.image);
     if (content.summary.errors) {
         page.section("Errors against the ground truth")

@@ -8,6 +8,7 @@
 #include "ddtool/system/settings.hpp"
 #include "report/map_raster.hpp"
 #include "report/page.hpp"
+#include "run/back_end_results.hpp"
 #include "run/run_course.hpp"
 #include "run/run_summary.hpp"
 
@@ -22,9 +23,10 @@ struct RunPageContent {
     const RunCourse& course;
     const RunSummary& summary;
     const RunCost& cost;
-    std::string self_check;  ///< the verdict, in a word; its reasons are among the warnings
-    ImageSettings image;     ///< how the worst moments are drawn
-    const Json& settings;    ///< shown unchanged
+    std::string self_check;                    ///< the verdict, in a word; its reasons are among the warnings
+    ImageSettings image;                       ///< how the worst moments are drawn
+    const BackEndResults* back_end = nullptr;  ///< null if the run had none
+    const Json& settings;                      ///< shown unchanged
     const Json& log;
     const Json& versions;
 };
