@@ -21,7 +21,9 @@ ImageSettings image_seen_by(const std::string& detector) {
     if (file.extension() == ".pt") {
         return train::engine().describe(file).image;
     }
-    const auto model = file.extension() == ".safetensors" ? load_model(file) : shipped_model();
+    const auto model = file.extension() == ".safetensors"
+                           ? load_model(file)
+                           : shipped_model(is_shipped(detector) ? detector : shipped_model_name);
     return model->description().image;
 }
 

@@ -26,6 +26,8 @@ TEST(DetectorTable, MakesEveryDetectorItNames) {
     }
     EXPECT_TRUE(table.make(shipped_model_name, {}, {}));
     EXPECT_NE(table.model_fingerprint(shipped_model_name), "");
+    EXPECT_TRUE(table.make(paper_model_name, {}, {}));
+    EXPECT_NE(table.model_fingerprint(paper_model_name), table.model_fingerprint(shipped_model_name));
 }
 
 TEST(DetectorTable, NamesWhatItKnows) {

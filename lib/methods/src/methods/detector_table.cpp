@@ -66,6 +66,8 @@ const std::vector<DetectorTable::Row>& DetectorTable::rows() {
         {"always", no_gate, [](const Ingredients&) { return always_degenerate(); }},
         {"oracle", no_gate, [](const Ingredients& from) { return oracle_detector(from.noise, from.truth); }},
         {shipped_model_name, in_doubt, [](const Ingredients&) { return network_detector(shipped_model()); }},
+        {paper_model_name, in_doubt,
+         [](const Ingredients&) { return network_detector(shipped_model(paper_model_name)); }},
     };
     return table;
 }
@@ -108,8 +110,8 @@ DegeneracyDetector DetectorTable::make(const std::string& name, const DetectionS
 }
 
 std::string DetectorTable::model_fingerprint(const std::string& name) const {
-    if (name == shipped_model_name) {
-        return shipped_model_fingerprint();
+    if (is_shipped(name)) {
+        return shipped_model_fingerprint(name);
     }
     return makers_.contains(name) ? "" : file_fingerprint(name);
 }

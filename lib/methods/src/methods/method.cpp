@@ -23,7 +23,7 @@ const std::vector<Method>& methods() {
         {"gmapping", {}, FilterKind::gmapping},
         {"rbpf", {}},
         {"paper",
-         {.detector = "covariance",
+         {.detector = paper_model_name,
           .gate = "none",
           .search = "coarse-fine",
           .trust = "lidar-score",

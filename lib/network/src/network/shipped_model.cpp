@@ -1,22 +1,39 @@
 #include "ddtool/network/shipped_model.hpp"
 
+#include <map>
+#include <string_view>
+
 #include "ddtool/network/load_model.hpp"
 #include "system/embedded_file.hpp"
 #include "system/fingerprint.hpp"
 
-DDTOOL_EMBED_FILE(ddtool_shipped_model, DDTOOL_SHIPPED_MODEL);
+DDTOOL_EMBED_FILE(ddtool_shipped_model, DDTOOL_MODELS "/ddmodel-lite.safetensors");
+DDTOOL_EMBED_FILE(ddtool_paper_model, DDTOOL_MODELS "/ddmodel-paper.safetensors");
 
 namespace ddtool {
 namespace {
 
-std::string_view shipped_bytes() {
-    return {ddtool_shipped_model, static_cast<std::size_t>(ddtool_shipped_model_end - ddtool_shipped_model)};
+std::string_view bytes_between(const char* begin, const char* end) {
+    return {begin, static_cast<std::size_t>(end - begin)};
+}
+
+const std::map<std::string, std::string_view>& shipped_bytes() {
+    static const std::map<std::string, std::string_view> models{
+        {shipped_model_name, bytes_between(ddtool_shipped_model, ddtool_shipped_model_end)},
+        {paper_model_name, bytes_between(ddtool_paper_model, ddtool_paper_model_end)}};
+    return models;
 }
 
 }  // namespace
 
-std::unique_ptr<DegreeModel> shipped_model() { return load_model(shipped_bytes(), shipped_model_name); }
+bool is_shipped(const std::string& name) { return shipped_bytes().contains(name); }
 
-std::string shipped_model_fingerprint() { return Fingerprint().add(shipped_bytes()).hex(); }
+std::unique_ptr<DegreeModel> shipped_model(const std::string& name) {
+    return load_model(shipped_bytes().at(name), name);
+}
+
+std::string shipped_model_fingerprint(const std::string& name) {
+    return Fingerprint().add(shipped_bytes().at(name)).hex();
+}
 
 }  // namespace ddtool

@@ -25,14 +25,14 @@ struct DetectionSettings {
     double every_m = 0.3;
 };
 
-/// The detectors by name, and for networks in files by the ending of the file. The named ones are rules and the network
-/// that is embedded in the program.
+/// The detectors by name, and for networks in files by the ending of the file. The named ones are rules and the
+/// networks that are embedded in the program.
 class DetectorTable {
 public:
     using FileMaker = std::function<DegeneracyDetector(const std::string& file)>;
 
     /// Has the detectors that need no LibTorch: none, always, covariance, step-spread, neff, oracle,
-    /// shipped_model_name, and files that end with ".safetensors".
+    /// shipped_model_name, paper_model_name, and files that end with ".safetensors".
     DetectorTable();
     /// Gives the detectors made from now on the place where the true values of their scans will be
     /// (SensorStream::tell_truth()). The detector "oracle" needs it.

@@ -7,14 +7,19 @@
 
 namespace ddtool {
 
-/// The name of the network that is embedded in every program of the project (data/models/ddmodel-lite.safetensors), so
-/// that the filter needs no separate model file.
+/// The names of the networks that are embedded in every program of the project (data/models/NAME.safetensors), so that
+/// the filter needs no separate model file: the one of the default method, and the one that was trained on the paper's
+/// pairing of label and image, for the method paper.
 inline constexpr const char* shipped_model_name = "ddmodel-lite";
+inline constexpr const char* paper_model_name = "ddmodel-paper";
 
-/// A new instance of that network.
-std::unique_ptr<DegreeModel> shipped_model();
+/// Whether a network of that name is embedded.
+bool is_shipped(const std::string& name);
 
-/// Fingerprint of its bytes.
-std::string shipped_model_fingerprint();
+/// A new instance of that network. Throws std::out_of_range if none of that name is embedded.
+std::unique_ptr<DegreeModel> shipped_model(const std::string& name = shipped_model_name);
+
+/// Fingerprint of its bytes. Throws std::out_of_range as above.
+std::string shipped_model_fingerprint(const std::string& name = shipped_model_name);
 
 }  // namespace ddtool
