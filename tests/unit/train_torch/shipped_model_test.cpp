@@ -47,7 +47,9 @@ TEST_P(ShippedModel, CallsASwarmDegenerateThatMatchingLeavesAsWideAsItCame) {
     EXPECT_LT(mean_degree(*model, 0.05), 0.1);
 }
 
-TEST_P(ShippedModel, GivesTheSameDegreesWithoutLibTorch) {
+using ShippedWeights = ShippedModel;
+
+TEST_P(ShippedWeights, GiveTheSameDegreesWithoutLibTorch) {
     const auto model = load_torch_script(file(".pt"), {});
     const auto native = load_model(file(".safetensors"));
     for (const double share : {0.05, 0.3, 0.6, 1.0}) {
@@ -58,6 +60,7 @@ TEST_P(ShippedModel, GivesTheSameDegreesWithoutLibTorch) {
 
 INSTANTIATE_TEST_SUITE_P(Models, ShippedModel, testing::Values("ddmodel", "ddmodel-lite"),
                          [](const auto& info) { return info.param == "ddmodel" ? "full" : "lite"; });
+INSTANTIATE_TEST_SUITE_P(Models, ShippedWeights, testing::Values("ddmodel", "ddmodel-lite", "ddmodel-paper"));
 
 }  // namespace
 }  // namespace ddtool::train_torch
