@@ -76,14 +76,14 @@ double error_m(const sim::World& world, const std::string& method, std::uint64_t
     return error;
 }
 
-/// Expects that the error of every method stays below most_m, and that the default method's error is far below that of
-/// the plain filter.
+/// Expects that the error of every method stays below most_m, that of the paper's method, whose network was trained
+/// with a lidar that sees 30 m, below 10 m, and that the default method's error is far below that of the plain filter.
 void expect_default_far_better(const sim::World& world, double most_m) {
     std::map<std::string, double> errors_m;
     for (const std::string& method : method_names()) {
         const bool compared = method == MethodSettings{}.method || method == "rbpf";
         errors_m[method] = error_m(world, method, compared ? 3 : 1);
-        EXPECT_LT(errors_m[method], most_m) << method;
+        EXPECT_LT(errors_m[method], method == "paper" ? 10.0 : most_m) << method;
     }
     EXPECT_LT(errors_m.at(MethodSettings{}.method), 0.6 * errors_m.at("rbpf"));
 }

@@ -32,9 +32,8 @@ TEST(DetectorTable, MakesEveryDetectorItNames) {
 
 TEST(DetectorTable, NamesWhatItKnows) {
     const std::string text = test::thrown_text<UsageError>([] { (void)DetectorTable().make("model.pt", {}, {}); });
-    EXPECT_THAT(text,
-                testing::HasSubstr(
-                    "filter.detector: expected always, covariance, ddmodel-lite, neff, none, oracle, step-spread"));
+    EXPECT_THAT(text, testing::HasSubstr("filter.detector: expected always, covariance, ddmodel-lite, ddmodel-paper, "
+                                         "neff, none, oracle, step-spread"));
     EXPECT_THAT(text, testing::HasSubstr("not 'model.pt'"));
 }
 
