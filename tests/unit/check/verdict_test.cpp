@@ -16,6 +16,8 @@ using ::testing::IsEmpty;
 Evidence healthy() {
     Evidence evidence;
     evidence.scans = 500;
+    evidence.all_scans = 500;
+    evidence.blind_scans = 300;
     evidence.neighbours = {.pairs = 900, .contradicted = 0.01, .p90 = 0.05, .bad = 0.004};
     evidence.revisits = {.pairs = 900, .contradicted = 0.05, .p90 = 0.2, .bad = 0.09};
     evidence.odometry_revisits = {.pairs = 700, .contradicted = 0.4, .p90 = 0.9, .bad = 0.6};
@@ -42,7 +44,7 @@ Evidence healthy() {
                                 .worst_step_m = 0.2,
                                 .worst_blind_turn_rad = 0.1,
                                 .worst_blind_m = 20.0}};
-    evidence.steps = {.moving = 900, .stairs = 3, .lost = 0, .longest_lost_s = 0.0};
+    evidence.steps = {.moving = 900, .stairs = 3, .lost = 0, .longest_lost_s = 0.0, .usual_m_per_s = 0.5};
     return evidence;
 }
 
@@ -82,6 +84,8 @@ std::vector<Fault> faults() {
              e.steps.lost = 1;
              e.steps.longest_lost_s = 20.0;
          }},
+        {"490 of 500 scans have no beam with a range", [](Evidence& e) { e.blind_scans = 490; }},
+        {"the odometry drives at 62 m/s", [](Evidence& e) { e.steps.usual_m_per_s = 62.0; }},
         {"the odometry alone leads back to where it was",
          [](Evidence& e) { e.odometry_revisits = {.pairs = 850, .contradicted = 0.05, .p90 = 0.2, .bad = 0.1}; }},
     };

@@ -37,6 +37,8 @@ Json motion_json(const MotionEvidence& motion) {
 
 Json evidence_json(const Evidence& evidence) {
     return {{"scans", evidence.scans},
+            {"all_scans", evidence.all_scans},
+            {"blind_scans", evidence.blind_scans},
             {"neighbours", pairs_json(evidence.neighbours)},
             {"revisits", pairs_json(evidence.revisits)},
             {"odometry_revisits", pairs_json(evidence.odometry_revisits)},
@@ -46,7 +48,8 @@ Json evidence_json(const Evidence& evidence) {
              {{"moving", evidence.steps.moving},
               {"stairs", evidence.steps.stairs},
               {"lost", evidence.steps.lost},
-              {"longest_lost_s", evidence.steps.longest_lost_s}}}};
+              {"longest_lost_s", evidence.steps.longest_lost_s},
+              {"usual_m_per_s", evidence.steps.usual_m_per_s}}}};
 }
 
 }  // namespace ddtool::check

@@ -9,7 +9,9 @@ namespace ddtool::check {
 
 /// All that the self-check of a run measured.
 struct Evidence {
-    std::size_t scans = 0;  ///< that were kept and compared
+    std::size_t scans = 0;        ///< that were kept and compared
+    std::size_t all_scans = 0;    ///< of the run
+    std::size_t blind_scans = 0;  ///< of these, without a single range
     PairEvidence neighbours, revisits;
     PairEvidence odometry_revisits;  ///< of the same scans, placed by the odometry alone
     /// Root of the mean squared distance of the path from the odometry's path, after that was shifted, turned and

@@ -1,5 +1,6 @@
 #include "check/self_check.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
 
@@ -55,6 +56,9 @@ double distance_after_fit_m(const std::vector<Pose2>& fixed, const std::vector<P
 void SelfCheck::add(const SensorFrame& frame, const std::optional<Update>& update) {
     kept_.offer(frame, update.has_value());
     steps_.add(frame);
+    ++all_scans_;
+    blind_scans_ +=
+        std::ranges::none_of(frame.scan.ranges_m, [](float range_m) { return std::isfinite(range_m); }) ? 1 : 0;
     if (update) {
         motion_.add(*update, openness_of(Sight(frame), inverse(update->matched.odometry_motion)));
     }
@@ -71,6 +75,8 @@ Evidence SelfCheck::evidence(const Trajectory& path) const {
         by_odometry.push_back(scan.odom_from_robot);
     }
     return {.scans = scans.size(),
+            .all_scans = all_scans_,
+            .blind_scans = blind_scans_,
             .neighbours = neighbours(scans, poses),
             .revisits = revisits(scans, poses),
             .odometry_revisits = revisits(scans, by_odometry),

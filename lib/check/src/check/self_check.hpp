@@ -22,6 +22,8 @@ private:
     KeptScans kept_;
     MotionWitness motion_;
     StepWitness steps_;
+    std::size_t all_scans_ = 0;
+    std::size_t blind_scans_ = 0;
 };
 
 }  // namespace ddtool::check

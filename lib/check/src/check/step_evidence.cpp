@@ -54,8 +54,8 @@ StepWitness::Scans StepWitness::compare_with_latest(const SensorFrame& frame) co
 
 /// Whether the robot was neither braking nor starting in a step.
 bool StepWitness::at_usual_speed(const Step& step) const {
-    const double usual_m_per_s = driven_s_ > 0.0 ? driven_m_ / driven_s_ : 0.0;
-    return step.speed_m_per_s() > usual_m_per_s / cruise_ratio && step.speed_m_per_s() < usual_m_per_s * cruise_ratio;
+    const double usual = evidence_.usual_m_per_s;
+    return step.speed_m_per_s() > usual / cruise_ratio && step.speed_m_per_s() < usual * cruise_ratio;
 }
 
 void StepWitness::judge(const Step& step) {
@@ -63,6 +63,7 @@ void StepWitness::judge(const Step& step) {
         ++evidence_.moving;
         driven_m_ += step.distance_m;
         driven_s_ += step.duration_s;
+        evidence_.usual_m_per_s = driven_m_ / driven_s_;
     }
     if (last_ && last_->distance_m <= stands_m && step.distance_m > stair_m &&
         step.duration_s < 1.5 * last_->duration_s) {

@@ -17,6 +17,7 @@ struct StepEvidence {
     /// between, although the scans before and after contradict that, or, as in a corridor, cannot tell.
     std::uint64_t lost = 0;
     double longest_lost_s = 0.0;
+    double usual_m_per_s = 0.0;  ///< mean speed of the odometry where it moves
 };
 
 /// Gathers StepEvidence while a run goes on.

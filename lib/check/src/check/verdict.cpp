@@ -220,6 +220,32 @@ Found odometry_in_stairs(const Evidence& evidence) {
                                            "wrong"};
 }
 
+/// On open ground many scans see nothing; where hardly any sees something, there is no map.
+Found scans_see_nothing(const Evidence& evidence) {
+    constexpr std::size_t few = 10;
+    constexpr double most_share = 0.95;
+    if (evidence.blind_scans <= few ||
+        static_cast<double>(evidence.blind_scans) <= most_share * static_cast<double>(evidence.all_scans)) {
+        return std::nullopt;
+    }
+    return Finding{Standing::doubtful, std::to_string(evidence.blind_scans) + " of " +
+                                           std::to_string(evidence.all_scans) +
+                                           " scans have no beam with a range: the map shows nothing of what the robot "
+                                           "passed (--range-max, --height)"};
+}
+
+/// No robot that maps with a lidar drives at 50 km/h.
+Found odometry_races(const Evidence& evidence) {
+    constexpr double most_m_per_s = 15.0;
+    const double speed_m_per_s = evidence.steps.usual_m_per_s;
+    if (speed_m_per_s <= most_m_per_s) {
+        return std::nullopt;
+    }
+    return Finding{Standing::doubtful, "the odometry drives at " + fixed_text(speed_m_per_s, 0) +
+                                           " m/s: its unit, or that of the stamps, may be another than metres and "
+                                           "seconds"};
+}
+
 Found motion_lost(const Evidence& evidence) {
     const StepEvidence& steps = evidence.steps;
     if (steps.lost == 0) {
@@ -268,7 +294,7 @@ Verdict verdict_of(const Evidence& evidence) {
     for (const auto& rule :
          {neighbours_disagree, revisits_disagree, lengths_differ, turns_differ, drives_askew, turns_about_another_point,
           path_trembles, jumps, departs_without_ground, leaps_without_ground, turns_without_ground, scans_do_not_fit,
-          odometry_in_stairs, motion_lost, leaves_good_odometry}) {
+          odometry_in_stairs, motion_lost, scans_see_nothing, odometry_races, leaves_good_odometry}) {
         if (const Found found = rule(evidence)) {
             verdict.standing = std::max(verdict.standing, found->standing);
             verdict.reasons.push_back(found->reason);

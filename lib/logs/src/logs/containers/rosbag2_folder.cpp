@@ -113,6 +113,12 @@ std::vector<LogFile> files_without_metadata(const fs::path& folder, const LogPro
 
 }  // namespace
 
+bool are_parts_of_one_recording(const std::vector<LogFile>& files) {
+    return std::ranges::all_of(files, [&](const LogFile& file) {
+        return name_of_recording(file.entry) == name_of_recording(files.front().entry);
+    });
+}
+
 bool is_rosbag2_metadata(std::string_view start) {
     return start.starts_with("rosbag2_bagfile_information:") ||
            start.find("\nrosbag2_bagfile_information:") != start.npos;

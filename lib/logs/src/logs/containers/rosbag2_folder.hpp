@@ -17,6 +17,9 @@ namespace ddtool {
 /// that cannot be read, and for metadata that list a file outside of the folder.
 std::vector<LogFile> rosbag2_files(const std::filesystem::path& folder, const LogProblemHandler& on_problem);
 
+/// Whether the files are called like the parts of one recording, NAME_0.mcap, NAME_1.mcap and so on.
+bool are_parts_of_one_recording(const std::vector<LogFile>& files);
+
 /// Whether a text that begins like this is a metadata.yaml.
 bool is_rosbag2_metadata(std::string_view start);
 

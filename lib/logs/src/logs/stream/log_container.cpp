@@ -82,7 +82,9 @@ FoundLog find_in_archive(const std::filesystem::path& path) {
         return {container, path, logs};
     }
     const auto folder = [](const LogFile& file) { return std::filesystem::path(file.entry).parent_path(); };
-    const bool is_recording = are_storage && metadata.size() < 2 && std::ranges::all_of(logs, [&](const LogFile& file) {
+    const bool is_recording = are_storage && metadata.size() < 2 &&
+                              (!metadata.empty() || are_parts_of_one_recording(logs)) &&
+                              std::ranges::all_of(logs, [&](const LogFile& file) {
                                   return folder(file) == folder(metadata.empty() ? logs.front() : metadata.front());
                               });
     if (!is_recording) {
@@ -162,16 +164,16 @@ FoundLog find_log(const std::filesystem::path& path) {
     }
     const LogFile file{path, ""};
     const std::string head = head_of(file);
+    const auto bytes = std::as_bytes(std::span(head));
+    if (is_tar(bytes)) {  // before the rest: an archive that is not compressed shows the text of a log in it
+        return find_in_archive(path);
+    }
     if (const auto container = container_of_head(head)) {
         return {*container, path, {file}};
     }
     if (is_rosbag2_metadata(head)) {
         const std::filesystem::path folder = path.parent_path();
         return {LogContainer::rosbag2_folder, folder.empty() ? "." : folder, {}};
-    }
-    const auto bytes = std::as_bytes(std::span(head));
-    if (is_tar(bytes)) {
-        return find_in_archive(path);
     }
     throw Error(path.string() + ": " + describe_file_start(bytes) +
                 "; expected MCAP, a ROS 1 bag, rosbag2 (.db3 or its folder) or a CARMEN log (also compressed, or in a "
