@@ -1,6 +1,7 @@
 #include "system/atomic_file.hpp"
 
 #include <gmock/gmock.h>
+#include <sys/stat.h>
 
 #include <fstream>
 #include <stdexcept>
@@ -50,6 +51,13 @@ TEST(WriteFile, StreamThatFailedIsAnError) {
     const auto fail = [](std::ostream& out) { out.setstate(std::ios::badbit); };
     EXPECT_THAT(thrown_text([&] { write_file(folder / "a", fail); }), HasSubstr("a: cannot write"));
     EXPECT_EQ(files_in(folder), 0U);
+}
+
+TEST(WriteFile, ReplacesNoPipe) {
+    const TemporaryFolder folder;
+    ASSERT_EQ(::mkfifo((folder / "pipe").c_str(), 0600), 0);
+    EXPECT_THAT(thrown_text([&] { write_file(folder / "pipe", "x"); }), HasSubstr("pipe: is a device, a pipe"));
+    EXPECT_TRUE(std::filesystem::is_fifo(folder / "pipe"));
 }
 
 TEST(WriteFile, NamesTheFileAndTheReason) {

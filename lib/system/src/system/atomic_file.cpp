@@ -37,6 +37,12 @@ void sync_to_disk(const std::filesystem::path& path) {
 
 AtomicFile::AtomicFile(std::filesystem::path path) : path_(std::move(path)), part_(path_.string() + ".part") {
     std::error_code ignored;
+    const std::filesystem::file_status there = std::filesystem::status(path_, ignored);
+    if (std::filesystem::is_other(there)) {
+        throw OutputError(
+            path_.string() +
+            ": is a device, a pipe or a socket, which a file cannot replace; expected the name of a file");
+    }
     std::filesystem::remove(part_, ignored);
 }
 

@@ -24,7 +24,7 @@ public:
 class AtomicFile {
 public:
     /// Removes a part that an earlier program has left behind. If that part were a link, the data would be written to
-    /// the place that it points to.
+    /// the place that it points to. Throws OutputError if the path is a device, a pipe or a socket.
     explicit AtomicFile(std::filesystem::path path);
     ~AtomicFile();
     AtomicFile(const AtomicFile&) = delete;
