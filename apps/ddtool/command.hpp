@@ -21,8 +21,7 @@ struct SettingPath {
 };
 
 /// Groups of settings, each with a name. The option's value is the name of one, which is merged into the settings
-/// before
-/// --config, --set and the options that stand for settings.
+/// ahead of --config, --set and the options that stand for settings.
 struct NamedSettings {
     std::vector<std::pair<std::string, Json>> groups;
     std::string* chosen = nullptr;  ///< its value before parsing is the group that Command::settings agree with

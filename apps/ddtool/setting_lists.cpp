@@ -24,6 +24,10 @@ Setting back_end_setting() {
 
 }  // namespace
 
+Json default_slam_settings() {
+    return {{"log", default_log_settings()}, {"filter", filter_settings_json({})}, {"back_end", "none"}};
+}
+
 bool asks_for_graph(const Json& settings) {
     expect_allowed(settings, {back_end_setting()}, "");
     return settings.at("back_end") == "graph";
@@ -35,7 +39,7 @@ std::vector<SettingList> setting_lists() {
     return {
         {"slam",
          {group("log", log_setting_list()), group("filter", filter_setting_list()), back_end_setting()},
-         {{"log", default_log_settings()}, {"filter", filter_settings_json({})}, {"back_end", "none"}}},
+         default_slam_settings()},
         {"simulate", sim::simulation_setting_list(), sim::default_simulation_json()},
         {"build-dataset", dataset::build_setting_list(), dataset::default_build_json()},
         {"train", train::train_setting_list(), training},

@@ -17,6 +17,9 @@ struct SettingList {
 /// The settings of every command that has any.
 std::vector<SettingList> setting_lists();
 
+/// The settings of slam with their defaults.
+Json default_slam_settings();
+
 /// Whether the settings of slam ask for the pose graph. Throws UsageError for a value that `back_end` cannot have.
 bool asks_for_graph(const Json& settings);
 

@@ -276,7 +276,7 @@ Command slam_command() {
     return {.name = "slam",
             .summary = "Map and trajectory from a log",
             .example = "ddtool slam --log run.mcap",
-            .settings = {{"log", default_log_settings()}, {"filter", filter_settings_json({})}, {"back_end", "none"}},
+            .settings = default_slam_settings(),
             .options = std::move(options),
             .run = [request](const Json& settings) { return slam(*request, settings); }};
 }

@@ -59,7 +59,7 @@ test::Recording recording_of_everything() {
     return recording;
 }
 
-/// The same without the kinds that are used before others, so that these are read.
+/// The messages of these topics alone. Without the kinds that are used before others, the others are read.
 test::Recording recording_of(const std::vector<std::string>& topics) {
     test::Recording recording = recording_of_everything();
     std::erase_if(recording, [&](const test::RecordedMessage& message) {
@@ -167,9 +167,8 @@ std::string as_protobuf(const std::string& schema) {
                                                : transforms.SerializeAsString();
 }
 
-/// The first message of that type in the recording of everything.
-std::string as_ros(const MessageType& type) {
-    const test::Recording recording = recording_of_everything();
+/// The first message of that type in the recording.
+std::string as_ros(const MessageType& type, const test::Recording& recording) {
     const bool ros1 = type.encoding == std::string("ros1");
     const std::string schema = type.schema == std::string("tf/tfMessage") ? "tf2_msgs/TFMessage" : type.schema;
     const auto found = std::ranges::find_if(recording, [&](const test::RecordedMessage& message) {
@@ -182,12 +181,13 @@ std::string as_ros(const MessageType& type) {
 }
 
 void write_messages(const fs::path& folder) {
+    const test::Recording recording = recording_of_everything();
     for (std::size_t row = 0; row < message_types.size(); ++row) {
         const MessageType& type = message_types.at(row);
         const std::string encoding = type.encoding;
         const std::string bytes = encoding == "json"       ? as_json(type.schema)
                                   : encoding == "protobuf" ? as_protobuf(type.schema)
-                                                           : as_ros(type);
+                                                           : as_ros(type, recording);
         write_seed(folder, fmt::format("{}", row), std::string(1, static_cast<char>(row)) + bytes);
     }
 }

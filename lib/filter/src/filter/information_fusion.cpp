@@ -4,40 +4,32 @@
 #include <algorithm>
 #include <cmath>
 
+#include "filter/pose_covariance.hpp"
+
 namespace ddtool {
 namespace {
 
-Eigen::Vector3d offset(const Pose2& from, const Pose2& to) {
-    return {to.x_m - from.x_m, to.y_m - from.y_m, wrap_angle(to.theta_rad - from.theta_rad)};
-}
-
-Pose2 moved_by(const Pose2& pose, const Eigen::Vector3d& by) {
-    return {pose.x_m + by.x(), pose.y_m + by.y(), wrap_angle(pose.theta_rad + by.z())};
-}
-
-/// The offset from the odometry's pose to the pose m that the scan alone would give, to first order. At the matcher's
-/// result `found`, the scan with the information I_m and the prior about the sampled pose with the information I_s
-/// balance:
-///     I_m (m - found) = I_s (found - sampled).
-Eigen::Vector3d match_offset(const MatchContext& context, const ScanMatch& found) {
-    const Eigen::Matrix3d pull = information_of(context.prior, context.predicted.theta_rad);
-    const Eigen::Vector3d from_sample = offset(context.predicted, found.pose);
-    constexpr double regularisation = 1e-3;  // keeps the system regular where the scan does not constrain the pose
-    const Eigen::Matrix3d system = found.information + regularisation * pull;
-    return offset(context.odometry, found.pose) + system.ldlt().solve(pull * from_sample);
-}
-
 /// The odometry's information, reduced where odometry and match contradict each other, for example after a slip or a
-/// bump, or if the odometry is badly calibrated. The measure is the squared Mahalanobis distance
-///     d' (M^-1 + O^-1)^-1 d,
-/// where d is the difference of the two poses, and M and O are the information of the match and of the odometry.
+/// bump, or if the odometry is badly calibrated.
 Eigen::Matrix3d cautious(const Eigen::Matrix3d& odometry, const Eigen::Matrix3d& match, const Eigen::Vector3d& apart,
                          double most_deviations) {
-    const double contradiction = apart.dot(match * (match + odometry).ldlt().solve(odometry * apart));
-    return odometry / std::max(1.0, contradiction / (most_deviations * most_deviations));
+    return odometry / std::max(1.0, contradiction(match, odometry, apart) / (most_deviations * most_deviations));
 }
 
 }  // namespace
+
+Eigen::Vector3d offset_without_prior(const ScanMatch& found, const Pose2& start, const PosePrior& prior) {
+    const Eigen::Matrix3d pull = information_of(prior, start.theta_rad);
+    constexpr double regularisation = 1e-3;  // keeps the system regular where the scan does not constrain the pose
+    const Eigen::Matrix3d system = found.information + regularisation * pull;
+    return system.ldlt().solve(pull * offset(start, found.pose));
+}
+
+double contradiction(const Eigen::Matrix3d& match_information, const Eigen::Matrix3d& odometry_information,
+                     const Eigen::Vector3d& apart) {
+    const Eigen::Matrix3d both = match_information + odometry_information;
+    return apart.dot(match_information * both.ldlt().solve(odometry_information * apart));
+}
 
 Eigen::Matrix3d credible_information(const Eigen::Matrix3d& match_information,
                                      const Eigen::Matrix3d& odometry_information, double normal_error_rad,
@@ -64,7 +56,7 @@ ScanMatch InformationFusion::correct(const MatchContext& context, const ScanMatc
     Eigen::Matrix3d odometry = context.odometry_information;
     if (matched) {
         match = credible_information(found.information, odometry, normal_error_rad, context.degeneracy.degree);
-        apart = match_offset(context, found);
+        apart = offset(context.odometry, found.pose) + offset_without_prior(found, context.predicted, context.prior);
         odometry = cautious(odometry, match, apart, settings_.most_deviations);
     }
     const Pose2 pose = moved_by(context.odometry, (match + odometry).ldlt().solve(match * apart));

@@ -14,6 +14,14 @@ const Eigen::Vector3d least_noise(2.5e-7, 2.5e-7, 4e-8);
 
 }  // namespace
 
+Eigen::Vector3d offset(const Pose2& from, const Pose2& to) {
+    return {to.x_m - from.x_m, to.y_m - from.y_m, wrap_angle(to.theta_rad - from.theta_rad)};
+}
+
+Pose2 moved_by(const Pose2& pose, const Eigen::Vector3d& by) {
+    return {pose.x_m + by.x(), pose.y_m + by.y(), wrap_angle(pose.theta_rad + by.z())};
+}
+
 Eigen::Matrix3d turned_about_z(double theta_rad) {
     const double c = std::cos(theta_rad);
     const double s = std::sin(theta_rad);

@@ -11,6 +11,12 @@ namespace ddtool {
 /// robot's frame is R C R' in the world frame; the same holds for an information matrix.
 Eigen::Matrix3d turned_about_z(double theta_rad);
 
+/// The differences of x, y and theta, in the frame that both poses are in.
+Eigen::Vector3d offset(const Pose2& from, const Pose2& to);
+
+/// The pose at that offset.
+Pose2 moved_by(const Pose2& pose, const Eigen::Vector3d& by);
+
 /// Covariance (x, y, theta in the world frame) of `from * motion`, to first order: F P F' + G Q G'. `covariance` is
 /// that of `from`; `sigmas` are those of the motion, in the frame of `from`.
 Eigen::Matrix3d predicted_covariance(const Eigen::Matrix3d& covariance, const Pose2& from, const Pose2& motion,

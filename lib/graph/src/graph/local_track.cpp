@@ -20,14 +20,6 @@ constexpr PosePrior start_prior{.sigma_along_m = 0.2, .sigma_across_m = 0.2, .si
 /// Odometry farther from the match than so many deviations of both together counts as less sure.
 constexpr double most_deviations = 3.0;
 
-Eigen::Vector3d difference(const Pose2& from, const Pose2& to) {
-    return {to.x_m - from.x_m, to.y_m - from.y_m, wrap_angle(to.theta_rad - from.theta_rad)};
-}
-
-Pose2 shifted(const Pose2& pose, const Eigen::Vector3d& by) {
-    return {pose.x_m + by.x(), pose.y_m + by.y(), wrap_angle(pose.theta_rad + by.z())};
-}
-
 class Tracker {
 public:
     Tracker(const RbpfSettings& settings)
@@ -55,17 +47,15 @@ public:
         if (found.accepted()) {
             match = credible_information(found.information, odometry_information, InformationFusion::normal_error_rad,
                                          node.degree);
-            apart = difference(odometry, unpulled(found, start));
-            const Eigen::Matrix3d both = match + odometry_information;
-            const double contradiction = apart.dot(match * both.ldlt().solve(odometry_information * apart));
-            step.doubt = std::max(1.0, contradiction / squared(most_deviations));
+            apart = offset(odometry, moved_by(found.pose, offset_without_prior(found, start, start_prior)));
+            step.doubt = std::max(1.0, contradiction(match, odometry_information, apart) / squared(most_deviations));
         }
         const Eigen::Matrix3d trusted = odometry_information / step.doubt;
-        const Pose2 fused = shifted(odometry, (match + trusted).ldlt().solve(match * apart));
+        const Pose2 fused = moved_by(odometry, (match + trusted).ldlt().solve(match * apart));
         // Along what the scan does not hold, where the match lies does not matter. To keep the numbers small it is put
         // where the fused pose is: f = o + (M + O)^-1 M (m - o) gives M (m - f) = O (f - o).
         const Eigen::Matrix3d whole = match + 1e-6 * trusted;
-        const Pose2 measured = shifted(fused, whole.ldlt().solve(trusted * difference(odometry, fused)));
+        const Pose2 measured = moved_by(fused, whole.ldlt().solve(trusted * offset(odometry, fused)));
         step.matched = between(pose_, measured);
         const Eigen::Matrix3d to_world = turned_about_z(measured.theta_rad);
         step.information = to_world.transpose() * match * to_world;
@@ -78,15 +68,6 @@ public:
     [[nodiscard]] MotionNoise noise() const { return learnt_.noise(); }
 
 private:
-    /// The pose that the scan alone would give, to first order: M (m - found) = P (found - start), with the information
-    /// P of the prior about the start.
-    [[nodiscard]] static Pose2 unpulled(const ScanMatch& found, const Pose2& start) {
-        constexpr double regularisation = 1e-3;
-        const Eigen::Matrix3d pull = information_of(start_prior, start.theta_rad);
-        const Eigen::Matrix3d system = found.information + regularisation * pull;
-        return shifted(found.pose, system.ldlt().solve(pull * difference(start, found.pose)));
-    }
-
     void learn(const LocalStep& step, double duration_s, const Eigen::Matrix3d& information) {
         poses_.push_back(step.pose);
         const Eigen::Matrix3d to_world = turned_about_z(step.pose.theta_rad);

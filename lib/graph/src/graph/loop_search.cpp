@@ -149,10 +149,6 @@ bool same_place(const Pose2& a, const Pose2& b) {
     return distance_m(a, b) < same_place_m && std::abs(wrap_angle(a.theta_rad - b.theta_rad)) < same_heading_rad;
 }
 
-Eigen::Vector3d offset_of(const Pose2& from, const Pose2& to) {
-    return {to.x_m - from.x_m, to.y_m - from.y_m, wrap_angle(to.theta_rad - from.theta_rad)};
-}
-
 /// The information that is left when the pose along `direction` is anything.
 Eigen::Matrix3d without_direction(const Eigen::Matrix3d& information, const Eigen::Vector3d& direction) {
     const Eigen::Vector3d image = information * direction;
@@ -285,8 +281,8 @@ LoopMatch LoopSearch::match(const StretchMap& older, const StretchMap& newer, co
             continue;
         }
         closest = std::max(closest, agreed);
-        const Eigen::Vector3d offset = offset_of(predicted, found.pose);
-        const double from_prediction = offset.dot(gate * offset);
+        const Eigen::Vector3d from_predicted = offset(predicted, found.pose);
+        const double from_prediction = from_predicted.dot(gate * from_predicted);
         if (agreed >= least_agreed && from_prediction <= squared(gate_deviations) + 3.0) {
             const std::size_t known = forth.known + back.known;
             fits.push_back({.pose = found.pose,
@@ -316,7 +312,7 @@ LoopMatch LoopSearch::match(const StretchMap& older, const StretchMap& newer, co
     Eigen::Matrix2d scatter = Eigen::Matrix2d::Zero();
     for (const Fit& fit : fits) {
         if (!same_place(fit.pose, chosen.pose)) {
-            const Eigen::Vector2d apart = offset_of(chosen.pose, fit.pose).head<2>();
+            const Eigen::Vector2d apart = offset(chosen.pose, fit.pose).head<2>();
             scatter += apart * apart.transpose();
         }
     }

@@ -28,6 +28,18 @@ Eigen::Matrix3d credible_information(const Eigen::Matrix3d& match_information,
                                      const Eigen::Matrix3d& odometry_information, double normal_error_rad,
                                      double degree);
 
+/// The offset from the matcher's result `found` to the pose m that the scan alone would give, to first order. At
+/// `found`, the scan with the information I_m and the prior about `start` with the information I_s balance:
+///     I_m (m - found) = I_s (found - start).
+Eigen::Vector3d offset_without_prior(const ScanMatch& found, const Pose2& start, const PosePrior& prior);
+
+/// How far match and odometry contradict each other: the squared Mahalanobis distance
+///     d' (M^-1 + O^-1)^-1 d,
+/// where d is the difference of the two poses, and M and O are the information of the match and of the odometry, of
+/// which M may be singular. All are over (x, y, theta) in the same frame.
+double contradiction(const Eigen::Matrix3d& match_information, const Eigen::Matrix3d& odometry_information,
+                     const Eigen::Vector3d& apart);
+
 /// The mean of match and odometry, in every direction weighted with the information of each: along a corridor the
 /// odometry determines the pose, across it and in heading the walls do. The pose is
 ///     x = o + (I_m + I_o)^-1 I_m (m - o),
