@@ -31,6 +31,8 @@ constexpr const char* published =
 Json configuration() {
     Json filter = common_filter_json();
     filter["seed"] = 7U;
+    filter["full_weight_sd_m"] = 0.0;
+    filter["fusion"]["least_degree"] = 0.25;
     return {{"log", "0123"}, {"range_sd_m", 0.02}, {"filter", filter}, {"format", 2}};
 }
 

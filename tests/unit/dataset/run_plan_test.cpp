@@ -78,13 +78,15 @@ TEST(PlanRuns, OnlyWhatDecidesTheSamplesDecidesTheId) {
 }
 
 TEST(PlanRuns, IdsAreThoseOfTheVersionsBefore) {
-    const Json settings{{"worlds", Json::array({{{"world", "s1"}, {"seeds", {{"count", 2}}}}})},
-                        {"mix",
-                         {{"particles", {2, 3}},
-                          {"odometry", {"good", "poor"}},
-                          {"update_distances", Json::array({Json::array({0.5, 0.3})})}}},
-                        {"most_particle_updates", 60},
-                        {"simulation", {{"lidar", {{"beams", 60}, {"rate_hz", 2.0}}}}}};
+    const Json settings{
+        {"worlds", Json::array({{{"world", "s1"}, {"seeds", {{"count", 2}}}}})},
+        {"mix",
+         {{"particles", {2, 3}},
+          {"odometry", {"good", "poor"}},
+          {"update_distances", Json::array({Json::array({0.5, 0.3})})}}},
+        {"most_particle_updates", 60},
+        {"filter", {{"method", "anti-degeneracy"}, {"full_weight_sd_m", 0.0}, {"fusion", {{"least_degree", 0.25}}}}},
+        {"simulation", {{"lidar", {{"beams", 60}, {"rate_hz", 2.0}}}}}};
     EXPECT_EQ(ids_of(planned(settings)), (std::set<std::string>{"06ed51f0289efcf3", "aeaa0d8ece8d61e2"}))
         << "an id decides which snapshots are kept, so that another id is another data set";
 }

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <numeric>
@@ -48,11 +49,13 @@ constexpr double never = 0.0;
 constexpr double always = 1.1;
 
 TEST(Snapshot, WeightsAreThoseOfTheAccumulatedLikelihood) {
-    for (const ParticleSnapshot& swarm : snapshots_of(resampling_below(never))) {
+    RbpfSettings settings = resampling_below(never);
+    settings.full_weight_sd_m = 0.0;
+    for (const ParticleSnapshot& swarm : snapshots_of(settings)) {
         std::vector<double> log_weights;
         double sum = 0.0;
         for (const SnapshotParticle& particle : swarm.particles) {
-            log_weights.push_back(RbpfSettings{}.likelihood_gain * particle.log_likelihood);
+            log_weights.push_back(settings.likelihood_gain * particle.log_likelihood);
             sum += particle.weight;
         }
         EXPECT_NEAR(sum, 1.0, 1e-12);
@@ -61,6 +64,21 @@ TEST(Snapshot, WeightsAreThoseOfTheAccumulatedLikelihood) {
             EXPECT_NEAR(swarm.particles[i].weight, weights[i], 1e-12);
         }
     }
+}
+
+TEST(Snapshot, WeightsAreFlatterWhereScansLieFarFromTheMap) {
+    RbpfSettings settings = resampling_below(never);
+    const auto sharpest = [](const std::vector<ParticleSnapshot>& snapshots) {
+        double most = 0.0;
+        for (const SnapshotParticle& particle : snapshots.back().particles) {
+            most = std::max(most, particle.weight);
+        }
+        return most;
+    };
+    settings.full_weight_sd_m = 0.0;
+    const double alike = sharpest(snapshots_of(settings));
+    settings.full_weight_sd_m = 1e-4;  // every scan is noisier
+    EXPECT_LT(sharpest(snapshots_of(settings)), alike);
 }
 
 TEST(Snapshot, LikelihoodAccumulatesWithoutResampling) {

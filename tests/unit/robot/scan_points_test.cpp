@@ -218,6 +218,51 @@ SensorFrame edge(double mixed_m) {
     return frame;
 }
 
+/// A wall 1 m from the laser with an opening of 0.6 m, behind which another wall lies at the given depth.
+SensorFrame wall_with_recess(double depth_m, int beams) {
+    return scan_of(
+        [=](double angle_rad) { return (std::abs(angle_rad) < 0.3 ? 1.0 + depth_m : 1.0) / std::cos(angle_rad); },
+        beams);
+}
+
+/// The wall behind an edge must not tilt the normals of the wall before it, nor the other way round.
+TEST(ScanPoints, AtAnEdgeHaveTheNormalOfTheirOwnWall) {
+    for (const double depth_m : {0.1, 0.15, 0.5}) {
+        for (const int beams : {121, 401}) {
+            const ScanPoints points = scan_points(wall_with_recess(depth_m, beams), {});
+            for (std::size_t i = 1; i + 1 < points.size(); ++i) {
+                expect_normals_along(points, i, 0.0);
+            }
+        }
+    }
+}
+
+/// Single noisy beams look like edges, and a wall that is cut into pieces at them would hold the robot along itself.
+TEST(ScanPoints, OfANoisyWallAreNotCutAtItsNoise) {
+    for (const double noise_m : {0.01, 0.02, 0.03}) {
+        RandomStream random{5};
+        const auto exact = wall(1.0, 0.0);
+        const ScanPoints points =
+            scan_points(scan_of([&](double angle) { return exact(angle) + noise_m * random.normal(); }, 401), {});
+        for (std::size_t i = 1; i < points.size(); ++i) {
+            EXPECT_EQ(points.order[i] - points.order[i - 1], 1) << noise_m << " m of noise, point " << i;
+        }
+    }
+}
+
+/// A pole that two beams meet is no line, and its normal comes from what is beside it, as everywhere.
+TEST(ScanPoints, OnASurfaceTooSmallForALineCountTheirNeighboursOnOthers) {
+    SensorFrame frame = scan_of(wall(2.0, 0.0), 401);
+    frame.scan.ranges_m[200] = frame.scan.ranges_m[201] = 1.5F;
+    const ScanPoints points = scan_points(frame, apart);
+    ASSERT_EQ(points.size(), 401U);
+    EXPECT_EQ(points.order[200] - points.order[199], 2);
+    EXPECT_EQ(points.order[202] - points.order[201], 2);
+    EXPECT_LT(points.along_weight[200], 1.0F);
+    expect_normals_along(points, 199, 0.0);
+    expect_normals_along(points, 202, 0.0);
+}
+
 TEST(ScanPoints, LeaveOutABeamThatMixesTheRangesAtAnEdge) {
     const std::size_t all = scan_points(edge(3.0), apart).size();
     for (const double mixed_m : {2.2, 2.5, 2.8}) {

@@ -53,6 +53,9 @@ Json identity_of_filter(Json filter) {
     if (filter.at("gate").get<std::string>().empty()) {
         filter.erase("gate");
     }
+    if (filter.at("full_weight_sd_m") == 0.0) {
+        filter.erase("full_weight_sd_m");  // all weighed alike then
+    }
     if (filter.at("points").at("deskew") == true) {
         filter["points"].erase("deskew");  // makes no difference to scans that were measured at once, as all were then
     }

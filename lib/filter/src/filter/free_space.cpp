@@ -31,7 +31,7 @@ const std::vector<CellSpan>& FreeSpace::find(const ScanPoints& points, const std
     end = std::min(end, ends_cells.size());
     double share_before = 0.0;
     for (std::size_t i = begin; i < end; ++i) {
-        const bool has_next = i + 1 < end && points.order[i + 1] - points.order[i] == 1;
+        const bool has_next = i + 1 < end && points.order[i + 1] - points.order[i] < ScanPoints::order_gap;
         const double share = has_next ? shrink(origin_cells, ends_cells[i], ends_cells[i + 1], margin_cells_) : 0.0;
         const Point2 near_point = towards(origin_cells, ends_cells[i], share);
         // Two neighbouring triangles each have an edge along this beam. Only the part of it that belongs to one

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/squared.hpp"
 #include "filter/pose_covariance.hpp"
 #include "swarm/moments.hpp"
 #include "swarm/weights.hpp"
@@ -74,7 +75,7 @@ std::optional<Update> Rbpf::update(const SensorFrame& frame) {
         update.degeneracy = timed(times.detect_s, [&] { return detect(update.matched); });
         timed(times.correct_s, [&] { correct(scan, step, update.degeneracy); });
         update.corrected = strategies_.corrections.empty() ? update.matched : snapshot(frame, odometry_motion);
-        learn(step);
+        learn(scan, step);
     }
     update.pose = best().pose;
     update.covariance = covariance_ = best().covariance + pose_scatter(update.corrected.particles, best().pose);
@@ -144,6 +145,8 @@ void Rbpf::reweight() {
     }
 }
 
+double Rbpf::gain() const { return settings_.likelihood_gain * noise_.weight(settings_.full_weight_sd_m); }
+
 Degeneracy Rbpf::detect(const ParticleSnapshot& swarm) const {
     return strategies_.detector ? strategies_.detector(swarm) : Degeneracy{};
 }
@@ -175,12 +178,16 @@ void Rbpf::correct(const PreparedScan& scan, const Step& step, const Degeneracy&
     });
 }
 
-void Rbpf::learn(const Step& step) {
+void Rbpf::learn(const PreparedScan& scan, const Step& step) {
     const Particle& particle = best();
     const auto pose_before = [&](std::size_t updates) {
         return updates == 0 ? particle.pose : path_.pose_before(particle.past, updates - 1);
     };
     const Eigen::Matrix3d world_from_robot = turned_about_z(particle.pose.theta_rad);
+    if (particle.match.accepted() && scan.match_points.beams > 0) {
+        noise_.learn(-2.0 * squared(settings_.matcher.beam_sigma_m) * particle.match.log_likelihood /
+                     static_cast<double>(scan.match_points.beams));
+    }
     odometry_->learn({.odometry = step.odometry_motion,
                       .duration_s = step.duration_s,
                       .information = world_from_robot.transpose() * particle.match.information * world_from_robot,
@@ -240,7 +247,7 @@ void Rbpf::remember(const SensorFrame& frame, const Pose2& odometry_motion) {
 ParticleSnapshot Rbpf::snapshot(const SensorFrame& frame, const Pose2& odometry_motion) const {
     std::vector<double> log_weights;
     for (const Particle& particle : particles_) {
-        log_weights.push_back(settings_.likelihood_gain * particle.log_likelihood);
+        log_weights.push_back(gain() * particle.log_likelihood);
     }
     const std::vector<double> weights = normalised_weights(log_weights);
     ParticleSnapshot swarm{

@@ -105,6 +105,10 @@ const SettingTable<RbpfSettings>& rbpf_rows() {
         {"likelihood_gain", &Rbpf::likelihood_gain, Allowed::number(0.0, 10.0), "",
          "Exponent on the likelihood of a scan: neighbouring beams and scans err together, so that their product is "
          "too sure."},
+        {"full_weight_sd_m", &Rbpf::full_weight_sd_m, Allowed::number(0.0, 10.0), "m",
+         "likelihood_gain holds for scans that usually lie this close to the map (standard deviation); scans of "
+         "noisier "
+         "lidars weigh less, by the square of the ratio. 0: all weigh alike."},
         {"insert_distance_m", &Rbpf::insert_distance_m, Allowed::number(0.0, 100.0), "m",
          "A scan enters the map when the odometry has moved this far since the last one that did."},
         {"insert_turn_rad", &Rbpf::insert_turn_rad, Allowed::number(0.0, 100.0), "rad",
@@ -253,7 +257,7 @@ const SettingTable<FusionSettings>& fusion_rows() {
     using Fusion = FusionSettings;
     static const SettingTable<Fusion> rows{
         {"least_degree", &Fusion::least_degree, Allowed::number(0.0, 1.0), "",
-         "The trust information leaves a match as it is where the degree is lower."},
+         "The trust information leaves a match as it is where the degree is lower; 0: it weighs every match."},
         {"most_deviations", &Fusion::most_deviations, Allowed::number(0.1, 1000.0), "",
          "Odometry that is farther from the match than this many standard deviations of both counts as less sure."},
         {"settled_m", &Fusion::settled_m, Allowed::number(0.0, 1.0), "m",

@@ -24,8 +24,11 @@ struct Moments {
     }
 };
 
-/// By at least so much `order` rises between points that are no neighbours. add_side() accepts steps of at most 2.
-constexpr std::int32_t order_gap = 3;
+/// A point and its neighbours: all of them, and those alone between which and the point the range does not jump.
+struct Neighbours {
+    Moments all, on_surface;
+};
+
 constexpr std::size_t most_neighbours_each_side = 12;
 /// These neighbours are taken at any distance: the end points on a wall far ahead are metres apart and still show its
 /// direction.
@@ -35,12 +38,13 @@ constexpr std::size_t least_neighbours_each_side = 2;
 constexpr double points_of_a_line = 3.0;
 
 /// Adds the neighbours on one side of `point` as long as they come from adjacent beams; `step` is 1 or -1.
-void add_side(const ScanPoints& points, std::size_t point, int step, double radius_m, Moments& moments) {
+void add_side(const ScanPoints& points, std::size_t point, int step, double radius_m, Neighbours& neighbours) {
     std::size_t last = point;
+    bool on_surface = true;
     for (std::size_t taken = 0; taken < most_neighbours_each_side; ++taken) {
         // Below 0 the unsigned index wraps around to a huge one, which ends the loop.
         const std::size_t next = last + static_cast<std::size_t>(step);
-        if (next >= points.size() || std::abs(points.order[next] - points.order[last]) > 2) {
+        if (next >= points.size() || std::abs(points.order[next] - points.order[last]) >= ScanPoints::order_gap) {
             return;
         }
         const double dx = static_cast<double>(points.x_m[next]) - static_cast<double>(points.x_m[point]);
@@ -48,9 +52,25 @@ void add_side(const ScanPoints& points, std::size_t point, int step, double radi
         if (taken >= least_neighbours_each_side && dx * dx + dy * dy > radius_m * radius_m) {
             return;
         }
-        moments.add(dx, dy);
+        on_surface = on_surface && std::abs(points.order[next] - points.order[last]) < ScanPoints::order_jump;
+        neighbours.all.add(dx, dy);
+        if (on_surface) {
+            neighbours.on_surface.add(dx, dy);
+        }
         last = next;
     }
+}
+
+/// The neighbours that show the direction of a point's surface: those on it, so that at the edge of a recess the normal
+/// does not tilt towards the wall behind. Where they are too few for a line, all count, since a point without a line
+/// would hold the robot in every direction.
+Moments neighbourhood(const ScanPoints& points, std::size_t point) {
+    Neighbours neighbours;
+    neighbours.all.add(0.0, 0.0);
+    neighbours.on_surface.add(0.0, 0.0);
+    add_side(points, point, 1, ScanPoints::normal_radius_m, neighbours);
+    add_side(points, point, -1, ScanPoints::normal_radius_m, neighbours);
+    return neighbours.on_surface.count >= points_of_a_line ? neighbours.on_surface : neighbours.all;
 }
 
 /// If the neighbours extend along their line by more than normal_radius_m (standard deviation), they belong to one
@@ -58,10 +78,7 @@ void add_side(const ScanPoints& points, std::size_t point, int step, double radi
 constexpr double far_line_residual_m = 0.04;
 
 void set_normal(ScanPoints& points, std::size_t point) {
-    Moments m;
-    m.add(0.0, 0.0);
-    add_side(points, point, 1, ScanPoints::normal_radius_m, m);
-    add_side(points, point, -1, ScanPoints::normal_radius_m, m);
+    const Moments m = neighbourhood(points, point);
     if (m.count < points_of_a_line) {
         return;
     }
@@ -85,14 +102,18 @@ void set_normal(ScanPoints& points, std::size_t point) {
 /// wall the inverse of the range is linear in the angle, for small angles.
 double continued_m(double before_m, double last_m) { return 1.0 / (2.0 / last_m - 1.0 / before_m); }
 
+/// Two ranges are apart if they differ by more than gap_m + gap_per_m * range.
+double gap_at(double range_m) {
+    constexpr double gap_m = 0.05;
+    constexpr double gap_per_m = 0.01;
+    return gap_m + gap_per_m * range_m;
+}
+
 /// Whether the range of a beam is a mixture of two surfaces, because the beam met the edge of the nearer one (a veiling
 /// or mixed point). Such a range lies between those of the two neighbouring beams, is apart from both, and continues
 /// the wall of neither. At the edges of recesses and doors, such points float between the surfaces; if they enter the
 /// map, every corridor comes out too long.
 bool is_mixed(const std::vector<float>& ranges_m, std::size_t beam) {
-    // Two ranges are apart if they differ by more than gap_m + gap_per_m * range.
-    constexpr double gap_m = 0.05;
-    constexpr double gap_per_m = 0.01;
     if (beam < 2 || beam + 2 >= ranges_m.size()) {
         return false;
     }
@@ -101,12 +122,53 @@ bool is_mixed(const std::vector<float>& ranges_m, std::size_t beam) {
         return false;
     }
     const double here_m = range_m(beam);
-    const double gap = gap_m + gap_per_m * here_m;
-    const auto apart = [&](double other_m) { return !(std::abs(here_m - other_m) <= gap); };
+    const auto apart = [&](double other_m) { return !(std::abs(here_m - other_m) <= gap_at(here_m)); };
     const bool between = (range_m(beam - 1) < here_m) == (here_m < range_m(beam + 1));
     return between && apart(range_m(beam - 1)) && apart(range_m(beam + 1)) &&
            apart(continued_m(range_m(beam - 2), range_m(beam - 1))) &&
            apart(continued_m(range_m(beam + 2), range_m(beam + 1)));
+}
+
+/// The standard deviation of the ranges, from how far each is apart from the line through its two neighbours (in
+/// inverse ranges, as in continued_m()). The median leaves out corners and edges, where that is no noise. 0 where the
+/// ranges do not tell.
+double range_noise_m(const std::vector<float>& ranges_m) {
+    std::vector<double> bends_m;
+    for (std::size_t beam = 1; beam + 1 < ranges_m.size(); ++beam) {
+        const auto before_m = static_cast<double>(ranges_m[beam - 1]);
+        const auto here_m = static_cast<double>(ranges_m[beam]);
+        const auto after_m = static_cast<double>(ranges_m[beam + 1]);
+        const double bend_m = std::abs(here_m * here_m * (1.0 / before_m - 2.0 / here_m + 1.0 / after_m));
+        if (std::isfinite(before_m) && std::isfinite(after_m) && std::isfinite(bend_m)) {
+            bends_m.push_back(bend_m);
+        }
+    }
+    if (bends_m.empty()) {
+        return 0.0;
+    }
+    const auto middle = bends_m.begin() + static_cast<std::ptrdiff_t>(bends_m.size() / 2);
+    std::nth_element(bends_m.begin(), middle, bends_m.end());
+    // A bend is the sum of ranges with the factors 1, -2 and 1; the median of a normal distribution's absolute values
+    // is this share of its standard deviation.
+    constexpr double median_share = 0.6745;
+    return *middle / (median_share * std::sqrt(6.0));
+}
+
+/// Whether a beam, which is not the first, meets another surface than the beam before it: their ranges are apart, and
+/// neither does the wall before the jump continue behind it nor the other way round. Where no beam shows how a wall
+/// continues, it does not. Noise must not look like a jump, since the normal of a short piece of wall is uncertain:
+/// with 6 deviations the plain difference is 4.2 of its own deviations, and the two continuations, which have to agree
+/// with it, 2.4 each.
+bool jumps_before(const std::vector<float>& ranges_m, std::size_t beam, double noise_m) {
+    constexpr double noise_deviations = 6.0;
+    const auto range_m = [&](std::size_t index) { return static_cast<double>(ranges_m[index]); };
+    const double before_m = range_m(beam - 1);
+    const double here_m = range_m(beam);
+    const auto apart = [&](double a_m, double b_m) {
+        return !(std::abs(a_m - b_m) <= std::max(gap_at(std::min(before_m, here_m)), noise_deviations * noise_m));
+    };
+    return apart(here_m, before_m) && (beam < 2 || apart(here_m, continued_m(range_m(beam - 2), before_m))) &&
+           (beam + 1 == ranges_m.size() || apart(before_m, continued_m(range_m(beam + 1), here_m)));
 }
 
 /// Neighbouring end points that are merged to one.
@@ -153,6 +215,7 @@ private:
 
 void add_end_points(ScanPoints& points, const SensorFrame& frame, const LaserPlaces& robot_from_laser,
                     const ScanPointsSettings& settings) {
+    const double noise_m = range_noise_m(frame.scan.ranges_m);
     Group group;
     std::int32_t order = 0;
     for (std::size_t beam = 0; beam < frame.scan.ranges_m.size(); ++beam) {
@@ -160,11 +223,15 @@ void add_end_points(ScanPoints& points, const SensorFrame& frame, const LaserPla
         if (!(range_m <= settings.usable_range_m)) {
             close_group(points, group, order);
             // With the increment for the next point, `order` then rises by 3 or more across the gap.
-            order += order_gap - 1;
+            order += ScanPoints::order_gap - 1;
             continue;
         }
         if (is_mixed(frame.scan.ranges_m, beam)) {
             continue;
+        }
+        if (beam > 0 && jumps_before(frame.scan.ranges_m, beam, noise_m)) {
+            close_group(points, group, order);
+            order += ScanPoints::order_jump - 1;
         }
         const double angle = frame.scan.angle_rad(beam);
         const Point2 end = robot_from_laser.at(beam) * Point2{range_m * std::cos(angle), range_m * std::sin(angle)};
@@ -197,7 +264,7 @@ ScanPoints own_points(const SensorFrame& frame, const ScanPointsSettings& settin
 /// \param robot_from_then the robot at the stamp of that scan, in its frame at the stamp of `points`
 void join(ScanPoints& points, const ScanPoints& other, const Pose2& robot_from_then) {
     const Pose2 turn{0.0, 0.0, robot_from_then.theta_rad};
-    const std::int32_t order = points.size() == 0 ? 0 : points.order.back() + order_gap;
+    const std::int32_t order = points.size() == 0 ? 0 : points.order.back() + ScanPoints::order_gap;
     points.joined.push_back({robot_from_then * other.origin_m, points.size()});
     for (std::size_t i = 0; i < other.size(); ++i) {
         const Point2 end =

@@ -5,8 +5,9 @@
 namespace ddtool {
 
 struct FusionSettings {
-    /// Below this degree of degeneracy, an accepted match is used unchanged.
-    double least_degree = 0.25;
+    /// Below this degree of degeneracy, an accepted match is used unchanged. 0: every match is weighed against the
+    /// odometry, since one that contradicts a good odometry need not come where the detector sees it.
+    double least_degree = 0.0;
     /// Where the odometry's pose is farther from the match than this many standard deviations of both together, the
     /// odometry's information is scaled down.
     double most_deviations = 3.0;

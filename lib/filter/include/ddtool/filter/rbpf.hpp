@@ -9,6 +9,7 @@
 #include "ddtool/filter/particle_filter.hpp"
 #include "ddtool/filter/path_record.hpp"
 #include "ddtool/filter/scan_insertion.hpp"
+#include "ddtool/filter/scan_noise.hpp"
 #include "ddtool/filter/strategies.hpp"
 #include "ddtool/swarm/motion_model.hpp"
 
@@ -23,6 +24,9 @@ struct RbpfSettings {
     /// Exponent on the scan's likelihood. The errors of neighbouring beams and of successive scans are correlated, so
     /// the product of their likelihoods alone would be too confident.
     double likelihood_gain = 0.05;
+    /// The exponent holds for scans that usually lie within this standard deviation of the map; that of noisier ones is
+    /// lower (ScanNoise::weight()). 0: one exponent for all.
+    double full_weight_sd_m = 0.02;
     /// A scan is entered into the maps after this much motion or turning since the last scan that was entered.
     double insert_distance_m = 0.3;
     double insert_turn_rad = 0.3;
@@ -39,8 +43,7 @@ struct Particle {
     Pose2 predicted_motion;  ///< since the previous update, in the robot's frame at it, sampled from the motion model
     Pose2 matched_motion;    ///< the same after scan matching and corrections
     ScanMatch match;
-    double log_likelihood =
-        0.0;  ///< since the last resampling; the weight is proportional to exp(likelihood_gain * this)
+    double log_likelihood = 0.0;  ///< since the last resampling; the weight is proportional to exp(gain() * this)
     PathRecord::Node past = PoseHistory::none;
     OccupancyGrid grid;
     /// Covariance of the pose relative to the particle's map (x, y, theta in the world; m^2, m rad, rad^2).
@@ -92,9 +95,11 @@ private:
     void propagate(const Step& step);
     void match(const PreparedScan& scan, const Step& step);
     void reweight();
+    /// Exponent on the likelihood of a scan of this log.
+    [[nodiscard]] double gain() const;
     [[nodiscard]] Degeneracy detect(const ParticleSnapshot& swarm) const;
     void correct(const PreparedScan& scan, const Step& step, const Degeneracy& degeneracy);
-    void learn(const Step& step);
+    void learn(const PreparedScan& scan, const Step& step);
     bool resample_if_poor(const ParticleSnapshot& swarm);
     void map(const PreparedScan& scan, const Pose2& odom_from_robot);
     void remember(const SensorFrame& frame, const Pose2& odometry_motion);
@@ -111,6 +116,7 @@ private:
     std::int64_t stamp_at_update_ns_ = 0;
     std::optional<Pose2> odom_at_mapping_;  ///< when a scan last entered the maps
     std::uint64_t updates_ = 0;
+    ScanNoise noise_;
     Eigen::Matrix3d covariance_ = Eigen::Matrix3d::Zero();  ///< of the pose at the last update
 };
 

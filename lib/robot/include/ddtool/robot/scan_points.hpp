@@ -18,7 +18,11 @@ struct ScanPoints {
     /// How much a displacement along the surface counts, relative to one across it: 0 on a perfect line, and 1 where
     /// the neighbours form no line, so that the point counts equally in every direction.
     std::vector<float> along_weight;
-    std::vector<std::int32_t> order;  ///< rises by 1 between neighbours, by more across beams without return
+    /// Rises by 1 between neighbours on one surface, by order_jump between neighbours where the range jumps, and by
+    /// order_gap or more across beams without return.
+    std::vector<std::int32_t> order;
+    static constexpr std::int32_t order_jump = 2;
+    static constexpr std::int32_t order_gap = 3;
     /// The points of one further lidar (SensorFrame::joined); its order goes on behind a gap.
     struct Joined {
         Point2 origin_m;        ///< the laser in the robot's frame

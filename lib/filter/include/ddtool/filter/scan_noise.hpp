@@ -1,0 +1,24 @@
+#pragma once
+
+namespace ddtool {
+
+/// How far the end points of a log's scans usually lie from the surfaces of the map, in metres: the lidar's noise and
+/// what the map adds to it. Learnt slowly and from many scans, so that the misfit of the present one, which may come
+/// from a wrong match, hardly counts.
+class ScanNoise {
+public:
+    /// squared_m2: the mean over the beams of a scan of the squared distance to the map, each cut off as in the
+    /// likelihood
+    void learn(double squared_m2);
+
+    /// The factor on the exponent of the likelihood that makes equal evidence weigh alike for every lidar: 1 up to
+    /// `full_weight_sd_m`, and beyond it (full_weight_sd_m / sd)^2, as in the likelihood of a normal distribution.
+    /// 1 before the first scan, and if `full_weight_sd_m` is 0.
+    [[nodiscard]] double weight(double full_weight_sd_m) const;
+
+private:
+    double scans_ = 0.0;
+    double mean_square_m2_ = 0.0;
+};
+
+}  // namespace ddtool

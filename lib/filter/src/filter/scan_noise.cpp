@@ -1,0 +1,25 @@
+#include "ddtool/filter/scan_noise.hpp"
+
+#include <algorithm>
+
+#include "base/squared.hpp"
+
+namespace ddtool {
+namespace {
+
+/// Older scans are gradually forgotten, since one place may be rougher than another.
+constexpr double remembered_scans = 300.0;
+
+}  // namespace
+
+void ScanNoise::learn(double squared_m2) {
+    scans_ = std::min(scans_ + 1.0, remembered_scans);
+    mean_square_m2_ += (squared_m2 - mean_square_m2_) / scans_;
+}
+
+double ScanNoise::weight(double full_weight_sd_m) const {
+    const double full_m2 = squared(full_weight_sd_m);
+    return full_m2 == 0.0 || mean_square_m2_ <= full_m2 ? 1.0 : full_m2 / mean_square_m2_;
+}
+
+}  // namespace ddtool
