@@ -16,6 +16,8 @@ namespace ddtool {
 namespace {
 
 constexpr std::size_t layer_bytes = std::size_t{1} << 16;
+/// A file may be compressed again by a backup or an upload. More layers than this are no log that somebody packed.
+constexpr int most_layers = 4;
 
 /// The decompressed content of a source: one frame after the other, as parallel compressors write them, too.
 class UnpackingBuffer : public LayerBuffer {
@@ -137,12 +139,15 @@ private:
 };
 
 ByteSource unpacked_bytes(ByteSource source, const LogProblemHandler& on_problem) {
-    const Compression compression = compression_of_start(source.start(4));
-    if (compression == Compression::none) {
-        return source;
+    for (int layer = 0; layer < most_layers; ++layer) {
+        const Compression compression = compression_of_start(source.start(4));
+        if (compression == Compression::none) {
+            break;
+        }
+        const std::string name = source.name();
+        source = ByteSource(std::make_unique<UnpackingBuffer>(std::move(source), compression, on_problem), name);
     }
-    const std::string name = source.name();
-    return {std::make_unique<UnpackingBuffer>(std::move(source), compression, on_problem), name};
+    return source;
 }
 
 }  // namespace
