@@ -76,6 +76,18 @@ TEST_F(Way, WhereTheScansTellNothingTheSpeedIsJudged) {
     EXPECT_THAT(length_fault({}, odometry_, 0.0), HasSubstr("it drives at 30 m/s"));
 }
 
+TEST_F(Way, AJumpOfTheOdometryDoesNotHideItsUnit) {
+    drive(100.0);
+    WayTrack with_jump;
+    for (int i = 0; i < 1200; ++i) {
+        const double way_m = 0.3 * 0.05 * i;
+        const double jump_m = i > 600 ? 5000.0 : 0.0;
+        with_jump.add({std::llround(5e7 * i),
+                       {300.0 * std::sin(way_m / 3.0) + jump_m, 50.0 * std::sin(way_m), 0.4 * std::sin(0.7 * way_m)}});
+    }
+    EXPECT_THAT(length_fault(scans_, with_jump, 0.0), HasSubstr("in centimetres"));
+}
+
 TEST_F(Way, OdometryOfAnotherRobotHasNoScale) {
     drive(1.0);
     WayTrack other;

@@ -16,8 +16,6 @@ namespace ddtool {
 namespace {
 
 constexpr std::size_t layer_bytes = std::size_t{1} << 16;
-/// A file may be compressed again by a backup or an upload. More layers than this are no log that somebody packed.
-constexpr int most_layers = 4;
 
 /// The decompressed content of a source: one frame after the other, as parallel compressors write them, too.
 class UnpackingBuffer : public LayerBuffer {

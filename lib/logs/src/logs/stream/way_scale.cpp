@@ -93,6 +93,17 @@ std::optional<WayFit> fit_way(std::span<const WayPair> pairs) {
     return found;
 }
 
+/// The scans' steps are about equally long, and so are the odometry's except where it jumps.
+void leave_out_leaps(std::vector<WayPair>& pairs) {
+    constexpr double most_medians = 4.0;
+    std::vector<double> lengths_m;
+    for (const WayPair& pair : pairs) {
+        lengths_m.push_back(std::abs(pair.odometry_m));
+    }
+    const double most_m = most_medians * middle_of(std::move(lengths_m));
+    std::erase_if(pairs, [&](const WayPair& pair) { return std::abs(pair.odometry_m) > most_m; });
+}
+
 /// "as if it were in millimetres", for scales within a fifth of that of a unit.
 std::string unit_text(double scale) {
     struct Unit {
@@ -175,6 +186,7 @@ std::optional<double> way_scale(const ScanWay& scans, const WayTrack& odometry, 
             pairs.push_back({step.moved_m, {moved->x_m, moved->y_m}});
         }
     }
+    leave_out_leaps(pairs);
     if (pairs.size() < least_way_pairs) {
         return std::nullopt;
     }
