@@ -92,6 +92,10 @@ TEST_F(CarmenLog, TheReadingsThatMeanNoReturnAreSaidAndCanBeGiven) {
     LogOptions told;
     told.no_return_m = {8.191};
     EXPECT_EQ(read(*open(text, told))[0].scan.ranges_m, (std::vector<float>{1.0F, 8.187F, LaserScan::no_return}));
+    told.no_return_m = {8.2};
+    const auto idle = open(text, told);
+    ASSERT_EQ(idle->summary().assumptions.size(), 1U);
+    EXPECT_NE(idle->summary().assumptions[0].find("--no-return 8.200 has no effect"), std::string::npos);
     told.no_return_m = {0.0};
     told.range_max_m = 5.0;
     EXPECT_EQ(read(*open(text, told))[0].scan.ranges_m,

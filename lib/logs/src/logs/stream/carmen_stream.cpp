@@ -194,6 +194,9 @@ void CarmenStream::read_ahead() {
     }
     find_sweep(rate);
     no_returns_ = options_.no_return_m.empty() ? piles.find(true) : named_no_returns(options_.no_return_m);
+    for (const std::string& line : piles.never_read(options_.no_return_m)) {
+        summary_.assumptions.push_back(file_ + ": " + line);
+    }
     choose_times();
     if (!options_.with_odometry) {
         summary_.has_odometry = false;

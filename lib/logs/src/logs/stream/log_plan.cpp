@@ -624,6 +624,11 @@ private:
             RangeRules ranges{.no_returns = {}, .range_max_m = options_.range_max_m};
             if (!options_.no_return_m.empty()) {
                 ranges.no_returns = named_no_returns(options_.no_return_m);
+                const bool has_readings = lidar.kind == MessageKind::scan;
+                for (const std::string& line :
+                     lidar.piles.never_read(has_readings ? options_.no_return_m : std::vector<double>{})) {
+                    assume(lidars_.size() > 1 ? lidar.topic + ": " + line : line);
+                }
             } else {
                 ranges.no_returns = lidar.piles.find(false);
                 for (const std::string& line : ranges.no_returns.lines()) {
