@@ -5,6 +5,7 @@
 #include "commands.hpp"
 #include "log_options.hpp"
 #include "logs/stream/frame_writer.hpp"
+#include "logs/stream/log_use.hpp"
 #include "slam_report.hpp"
 #include "system/progress.hpp"
 
@@ -43,12 +44,17 @@ ExitCode convert(const ConvertRequest& request, const Json& settings) {
     const auto stream = open_log(request.input, log_options(settings.at("log")), report.handler());
     FrameWriter writer(request.output);
     Progress progress("convert", "scans");
+    std::size_t returns = 0;
     while (const auto frame = stream->next()) {
+        returns += returns_of(frame->scan);
         writer.write(*frame);
         progress.update(stream->fraction_read(), stream->summary().scans);
     }
-    writer.close();
     const LogSummary& summary = stream->summary();
+    if (const std::string reason = why_unusable(summary, returns); !reason.empty()) {
+        throw Error(request.input + ": " + reason + "; " + request.output + " is not written");
+    }
+    writer.close();
     std::cout << (request.as_json ? result_json(request.input, summary, request.output).dump(2) + "\n"
                                   : result_text(summary, request.output));
     return report.finish(summary);

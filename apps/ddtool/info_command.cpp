@@ -1,5 +1,6 @@
 #include <iostream>
 #include <memory>
+#include <utility>
 
 #include "commands.hpp"
 #include "info_report.hpp"
@@ -19,34 +20,31 @@ std::function<void(double)> half(Progress& progress, double before) {
     return [&progress, before](double share) { progress.update(before + 0.5 * share, 1); };
 }
 
-/// Throws Error if the frames hold nothing that a map could be made of.
-void expect_returns(const LogUse& use) {
-    if (use.summary.scans == 0) {
-        throw Error("none of its scans can be used" + (use.summary.first_problems.empty()
-                                                           ? ""
-                                                           : "; the first problem: " + use.summary.first_problems[0]));
-    }
-    if (use.returns == 0) {
-        throw Error("no beam of its " + std::to_string(use.summary.scans) + " scans has a return");
-    }
-}
-
 ExitCode describe_log(const InfoRequest& request, const Json& settings) {
     LogInfo info;
     Progress progress("info", "log");
     try {
         const auto log = open_log(request.log, log_options(settings.at("log")), info.damage.handler());
         info.use = use_of(*log, half(progress, 0.0));
-        expect_returns(*info.use);
+        if (std::string reason = why_unusable(info.use->summary, info.use->returns); !reason.empty()) {
+            throw Error(std::move(reason));
+        }
     } catch (const UsageError&) {
         throw;
     } catch (const Error& error) {
         info.unusable = error.what();
         info.use.reset();
-        info.damage = {};  // the count below reads the whole log and reports the damage again
     }
+    // Where the log cannot be used, the count below reads the whole of it and reports the damage of its container
+    // again, but not that of its messages.
+    const LogDamage found_first = info.damage;
+    info.damage = info.use ? found_first : LogDamage{};
     const LogProblemHandler told_already = [](const LogProblem&) {};
     info.inventory = take_inventory(request.log, info.use ? told_already : info.damage.handler(), half(progress, 0.5));
+    if (found_first.problems > info.damage.problems) {
+        info.damage = found_first;
+    }
+    info.options = log_options_text(settings.at("log"));
     std::cout << (request.as_json ? info_json(request.log, info).dump(2) + "\n" : info_text(request.log, info));
     return info.damage.problems == 0 ? ExitCode::done : ExitCode::done_with_loss;
 }

@@ -6,8 +6,8 @@
 #include <cstdio>
 #include <ctime>
 #include <numbers>
-#include <string_view>
 
+#include "log_options.hpp"
 #include "report/table.hpp"
 #include "sim/pose2_json.hpp"
 
@@ -126,9 +126,6 @@ std::string scans_text(const LogUse& use) {
     }
     text += "; " + fixed(100.0 * static_cast<double>(use.returns) / static_cast<double>(use.beams), 0) +
             " % of the beams have a range\n";
-    if (use.stamps_back > 0) {
-        text += "          " + std::to_string(use.stamps_back) + " are stamped before the one before\n";
-    }
     if (use.with_ground_truth > 0) {
         text += "truth     for " + std::to_string(use.with_ground_truth) + " scans\n";
     }
@@ -171,9 +168,15 @@ std::string without_file(const std::string& file, const std::string& text) {
     return text.starts_with(file + ": ") ? text.substr(file.size() + 2) : text;
 }
 
-/// The assumptions that were made because the log lacks something, without the name of the file in front.
+/// The assumptions that were made because the log lacks something or contradicts itself, without the name of the file
+/// in front.
 std::vector<std::string> assumptions(const std::string& file, const LogUse& use) {
     std::vector<std::string> lines;
+    if (use.stamps_back > 0) {
+        lines.push_back(
+            std::to_string(use.stamps_back) + (use.stamps_back == 1 ? " scan is stamped" : " scans are stamped") +
+            " before the scan in front, by up to " + fixed(use.most_back_s, 2) + " s; the order of the file is kept");
+    }
     for (const std::string& assumption : use.summary.assumptions) {
         lines.push_back(without_file(file, assumption));
     }
@@ -200,17 +203,9 @@ std::string damage_text(const std::string& file, const LogDamage& damage) {
            "\n";
 }
 
-/// The command line that runs over the log; the name is quoted if a shell would take it for several words or more.
-std::string next_command(const std::string& file) {
-    constexpr std::string_view plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789/._-+,:=@%";
-    std::string word = file;
-    if (file.find_first_not_of(plain) != std::string::npos) {
-        for (std::size_t at = word.find('\''); at != std::string::npos; at = word.find('\'', at + 4)) {
-            word.replace(at, 1, "'\\''");
-        }
-        word = "'" + word + "'";
-    }
-    return "ddtool slam --log " + word;
+/// The command line that runs over the log, with the same options.
+std::string next_command(const std::string& file, const LogInfo& info) {
+    return "ddtool slam --log " + shell_word(file) + info.options;
 }
 
 Json topic_json(const TopicInventory& topic, const LogSummary& summary) {
@@ -232,6 +227,7 @@ Json use_json(const std::string& file, const LogUse& use) {
             {"scans_hz", scans_hz(use)},
             {"longest_gap_s", use.longest_gap_s},
             {"stamps_back", use.stamps_back},
+            {"most_back_s", use.most_back_s},
             {"fewest_beams", use.fewest_beams},
             {"most_beams", use.most_beams},
             {"field_of_view_rad", use.field_of_view_rad},
@@ -272,7 +268,7 @@ Json info_json(const std::string& file, const LogInfo& info) {
                 {"usable", info.use.has_value()}};
     if (info.use) {
         report["use"] = use_json(file, *info.use);
-        report["next"] = next_command(file);
+        report["next"] = next_command(file, info);
     } else {
         report["unusable"] = info.unusable;
     }
@@ -303,7 +299,7 @@ std::string info_text(const std::string& file, const LogInfo& info) {
                 (assumed.empty() ? "nothing" : in_one_line(file, assumed)) + "\n";
     }
     return text + damage_text(file, info.damage) + "usable    " +
-           (info.use ? "yes; next: " + next_command(file) : "no: " + without_file(file, info.unusable)) + "\n";
+           (info.use ? "yes; next: " + next_command(file, info) : "no: " + without_file(file, info.unusable)) + "\n";
 }
 
 }  // namespace ddtool

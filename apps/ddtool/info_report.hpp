@@ -26,6 +26,7 @@ struct LogInfo {
     LogInventory inventory;
     std::optional<LogUse> use;  ///< empty if the log cannot be used; `unusable` then says why
     std::string unusable;
+    std::string options;  ///< the options for logs that were given, as log_options_text() writes them
     LogDamage damage;
 };
 

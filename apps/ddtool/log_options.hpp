@@ -22,6 +22,13 @@ inline constexpr const char* log_file_help =
 /// Appends the options that every command that reads a log has.
 void append_log_options(std::vector<Option>& options);
 
+/// A word of a command line; quoted if a shell would take it for several words or more.
+std::string shell_word(const std::string& word);
+
+/// The options that give these settings under "log", as they are typed, each with a space in front; empty for the
+/// defaults.
+std::string log_options_text(const Json& log_settings);
+
 /// Reads the settings under "log". Throws UsageError naming the key.
 LogOptions log_options(const Json& log_settings);
 

@@ -11,6 +11,8 @@ Json log_report(const std::string& file, const LogSummary& log) {
             {"more_scan_topics", log.more_scan_topics},
             {"odom_topic", log.odom_topic},
             {"imu_topic", log.imu_topic},
+            {"odom_delay_s", log.odom_delay ? Json(log.odom_delay->late_s) : Json()},
+            {"odom_delay_sigma_s", log.odom_delay ? Json(log.odom_delay->sigma_s) : Json()},
             {"odom_delay_removed_s", log.odom_delay_removed_s},
             {"ground_truth_topic", log.ground_truth_topic},
             {"scans", log.scans},

@@ -91,6 +91,15 @@ std::vector<Fault> faults() {
     };
 }
 
+TEST(Verdict, AFewBlindScansSayNothingUnlessAllAre) {
+    Evidence evidence = healthy();
+    evidence.all_scans = 6;
+    evidence.blind_scans = 5;
+    EXPECT_EQ(verdict_of(evidence).standing, Standing::plausible);
+    evidence.blind_scans = 6;
+    EXPECT_EQ(verdict_of(evidence).standing, Standing::doubtful);
+}
+
 TEST(Verdict, NothingSpeaksAgainstAHealthyRun) {
     const Verdict verdict = verdict_of(healthy());
     EXPECT_EQ(verdict.standing, Standing::plausible);

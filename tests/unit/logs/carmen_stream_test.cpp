@@ -3,10 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
+#include "base/text.hpp"
 #include "compressed_text.hpp"
 #include "ddtool/base/error.hpp"
 #include "log_topics.hpp"
+#include "room_scan.hpp"
 #include "system/atomic_file.hpp"
 #include "temporary_folder.hpp"
 
@@ -89,6 +92,10 @@ TEST_F(CarmenLog, TheReadingsThatMeanNoReturnAreSaidAndCanBeGiven) {
     LogOptions told;
     told.no_return_m = {8.191};
     EXPECT_EQ(read(*open(text, told))[0].scan.ranges_m, (std::vector<float>{1.0F, 8.187F, LaserScan::no_return}));
+    told.no_return_m = {8.2};
+    const auto idle = open(text, told);
+    ASSERT_EQ(idle->summary().assumptions.size(), 1U);
+    EXPECT_NE(idle->summary().assumptions[0].find("--no-return 8.200 has no effect"), std::string::npos);
     told.no_return_m = {0.0};
     told.range_max_m = 5.0;
     EXPECT_EQ(read(*open(text, told))[0].scan.ranges_m,
@@ -127,6 +134,101 @@ TEST_F(CarmenLog, OdometryThatStartsAgainAtZeroGoesOnAndCanBeLeftOut) {
     EXPECT_EQ(read(*stream)[50].odom_from_robot, Pose2{});
 }
 
+TEST_F(CarmenLog, JumpsOfOdometryThatIsNotUsedAreNotSaid) {
+    std::string text = offset_param;
+    for (int i = 0; i < 60; ++i) {
+        text += moving(i, 0.1 * (i < 40 ? i : i - 40));
+    }
+    LogOptions options;
+    options.with_odometry = false;
+    read(*open(text, options));
+    EXPECT_TRUE(problems_.empty());
+}
+
+Pose2 pose_in_room(double t_s) {
+    return {2.5 * std::sin(0.15 * t_s), 0.5 * std::sin(0.4 * t_s),
+            0.5 * std::sin(0.7 * t_s) + 0.3 * std::sin(0.3 * t_s)};
+}
+
+/// A minute's drive in a room with scans at 5 Hz, in whose lines the odometry of `late_s` ago is, in such units.
+std::string drive_in_room(double late_s, double per_metre = 1.0, double per_radian = 1.0) {
+    RandomStream random({3});
+    std::string text = "PARAM robot_frontlaser_offset 0 host 0\n";
+    for (int i = 0; i < 300; ++i) {
+        const double t_s = 0.2 * i;
+        const LaserScan scan = test::room_scan(pose_in_room(t_s), t_s, random);
+        text += "FLASER 181";
+        for (std::size_t beam = 90; beam <= 270; ++beam) {
+            text += " " + fixed_text(scan.ranges_m.at(beam), 3);
+        }
+        const Pose2 odom = pose_in_room(t_s - late_s);
+        text += " 0 0 0";
+        for (const double number : {per_metre * odom.x_m, per_metre * odom.y_m, per_radian * odom.theta_rad}) {
+            text += " " + fixed_text(number, 6);
+        }
+        text += " " + fixed_text(100.0 + t_s, 3) + " host " + fixed_text(t_s, 3) + "\n";
+    }
+    return text;
+}
+
+double largest_error_m(const std::vector<SensorFrame>& frames) {
+    double largest_m = 0.0;
+    for (std::size_t i = 5; i + 5 < frames.size(); ++i) {
+        largest_m =
+            std::max(largest_m, distance_m(frames[i].odom_from_robot, pose_in_room(0.2 * static_cast<double>(i))));
+    }
+    return largest_m;
+}
+
+TEST_F(CarmenLog, TheDelayOfTheOdometryIsSaidAndTakenOffIfAskedFor) {
+    for (const double late_s : {-0.15, 0.12}) {
+        const std::string text = drive_in_room(late_s);
+        const auto stream = open(text);
+        const auto frames = read(*stream);
+        ASSERT_TRUE(stream->summary().odom_delay) << late_s;
+        EXPECT_NEAR(stream->summary().odom_delay->late_s, late_s, 0.02);
+        EXPECT_EQ(stream->summary().odom_delay_removed_s, 0.0);
+        ASSERT_EQ(stream->summary().assumptions.size(), 1U);
+        EXPECT_NE(stream->summary().assumptions[0].find("--odom-delay"), std::string::npos);
+        EXPECT_GT(largest_error_m(frames), 0.03);
+        LogOptions options;
+        options.odom_delay_s = late_s;
+        const auto mended = open(text, options);
+        const auto mended_frames = read(*mended);
+        ASSERT_EQ(mended_frames.size(), 300U);
+        EXPECT_LT(largest_error_m(mended_frames), 0.01);
+        EXPECT_TRUE(mended->summary().assumptions.empty());
+        EXPECT_EQ(mended->summary().odom_delay_removed_s, late_s);
+    }
+    const auto stream = open(drive_in_room(0.0));
+    EXPECT_TRUE(stream->summary().odom_delay);
+    EXPECT_TRUE(stream->summary().assumptions.empty());
+    EXPECT_TRUE(problems_.empty());
+}
+
+TEST_F(CarmenLog, OdometryInAnotherUnitIsNotUsed) {
+    const auto in_centimetres = open(drive_in_room(0.0, 100.0));
+    EXPECT_FALSE(in_centimetres->summary().has_odometry);
+    read(*in_centimetres);
+    ASSERT_EQ(problems_.size(), 1U);
+    EXPECT_NE(problems_[0].what.find("as if it were in centimetres"), std::string::npos);
+    problems_.clear();
+    EXPECT_FALSE(open(drive_in_room(0.0, 1.0, 180.0 / std::numbers::pi))->summary().has_odometry);
+    ASSERT_EQ(problems_.size(), 1U);
+    EXPECT_NE(problems_[0].what.find("only if it is in degrees"), std::string::npos);
+}
+
+TEST_F(CarmenLog, RangesInAnotherUnitAreSaid) {
+    std::string text = offset_param;
+    for (int i = 0; i < 3; ++i) {
+        text += "FLASER 12 79.5 115 120 131 142 155 166 177 188 199 207 218 0 0 0 0 0 0 " + std::to_string(i) +
+                ".0 host 0\n";
+    }
+    open(text);
+    ASSERT_FALSE(problems_.empty());
+    EXPECT_NE(problems_[0].what.find("half of the ranges are beyond 100 (up to 218)"), std::string::npos);
+}
+
 TEST_F(CarmenLog, WithoutAnOffsetTheLaserIsAssumedAtTheOrigin) {
     const auto stream = open(flaser("1 2 3", 0.0, "1.0"));
     EXPECT_EQ(stream->next()->robot_from_laser, Pose2{});
@@ -148,6 +250,19 @@ TEST_F(CarmenLog, SkipsDamagedLinesAndCountsThem) {
     EXPECT_NE(problems_[0].what.find(":2:"), std::string::npos);
 }
 
+TEST_F(CarmenLog, WithoutAnyReadableLineSaysWhatIsWrongWithTheFirst) {
+    try {
+        open("FLASER 3 1,5 2,5 3,5 0 0 0 0 0 0 1.0 host 0\n");
+        FAIL();
+    } catch (const Error& error) {
+        EXPECT_NE(std::string(error.what())
+                      .find(":1: skipped a damaged FLASER line: word 3 is '1,5', expected a range in "
+                            "metres with a decimal point"),
+                  std::string::npos)
+            << error.what();
+    }
+}
+
 TEST_F(CarmenLog, UsesOneKindOfScanAndTheOneAskedFor) {
     const std::string robotlaser = "ROBOTLASER1 0 -1 2 1 50 0 0 3 1 2 50 0 1.5 0 0 1 0 0 0 0 0 0 0 3.0 host 0\n";
     const std::string text = flaser("1 2 3", 0.0, "1.0") + robotlaser + flaser("1 2 3", 0.0, "2.0");
@@ -163,6 +278,23 @@ TEST_F(CarmenLog, RefusesOptionsItCannotMeet) {
     EXPECT_THROW(open(text, test::topics("/scan")), UsageError);
     EXPECT_THROW(open(text, test::topics("", "/odom")), UsageError);
     EXPECT_THROW(open(text, test::topics("", "", "/gt")), UsageError);
+    LogOptions of_robot;
+    of_robot.robot = "robot1";
+    EXPECT_THROW(open(text, of_robot), UsageError);
+    LogOptions with_imu;
+    with_imu.imu_topic = "/imu";
+    EXPECT_THROW(open(text, with_imu), UsageError);
+    LogOptions with_path;
+    with_path.odom_path = 2;
+    EXPECT_THROW(open(text, with_path), UsageError);
+}
+
+TEST_F(CarmenLog, SaysWhichOptionsHaveNoEffect) {
+    LogOptions options;
+    options.height = HeightBand{0.1, 1.0};
+    const auto stream = open(offset_param + flaser("1 2 3", 0.0, "1.0"), options);
+    ASSERT_EQ(stream->summary().assumptions.size(), 1U);
+    EXPECT_NE(stream->summary().assumptions[0].find("--height has no effect"), std::string::npos);
 }
 
 TEST_F(CarmenLog, WithoutScansIsAnErrorThatSaysWhatThereIs) {

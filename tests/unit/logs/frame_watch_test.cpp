@@ -74,6 +74,18 @@ TEST_F(Watched, OdometryThatIsStuckForAPartIsUnknownThere) {
     EXPECT_THAT(findings_, ElementsAre(HasSubstr("stuck from 1.8 s to 4.0 s (10 scans)")));
 }
 
+TEST_F(Watched, AStampFarFromItsNeighboursIsSaidAtTheEnd) {
+    for (int i = 0; i < 20; ++i) {
+        now_s_ = 100.0 + 0.2 * i + (i == 10 ? 1e8 : 0.0);
+        frame(0.1 * i, 0.1 * i);
+    }
+    end();
+    EXPECT_EQ(taken_.size(), 19U);
+    EXPECT_THAT(findings_, ElementsAre(HasSubstr(
+                               "1 scan is left out, stamped far away from the scans before and after, number 11, "
+                               "3.2 years ahead")));
+}
+
 TEST_F(Watched, OdometryThatStaysStuckIsSaidAtTheEnd) {
     for (int i = 0; i < 30; ++i) {
         frame(0.1 * std::min(i, 9), 0.1 * i);

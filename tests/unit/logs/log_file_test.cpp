@@ -89,6 +89,15 @@ TEST_P(Compressed, CutOffGivesTheBeginningAndOneProblem) {
 
 INSTANTIATE_TEST_SUITE_P(Formats, Compressed, testing::Values(gzip, bzip2, zstd, lz4), name_of);
 
+TEST_P(Compressed, IsReadThroughOtherCompression) {
+    const std::string text = lines_of(20'000);
+    for (const Format& outer : {gzip, bzip2, zstd, lz4}) {
+        write_file(folder_ / "log", outer.pack(GetParam().pack(text)));
+        EXPECT_EQ(read_all({folder_ / "log", ""}, problems_), text) << outer.name;
+    }
+    EXPECT_TRUE(problems_.empty());
+}
+
 TEST_P(Compressed, WhatFollowsIsTold) {
     write_file(folder_ / "log", GetParam().pack("one\n") + "something else");
     EXPECT_EQ(read_all({folder_ / "log", ""}, problems_), "one\n");

@@ -10,6 +10,7 @@
 #include "ddtool/base/error.hpp"
 #include "log_topics.hpp"
 #include "message_log.hpp"
+#include "room_scan.hpp"
 
 namespace ddtool {
 namespace {
@@ -178,6 +179,70 @@ TEST_F(Log, InterleavedPublishersAreToldApartAndOneCanBeNamed) {
     EXPECT_TRUE(problems_.empty());
     options.odom_path = 3;
     EXPECT_THAT(failure(options), HasSubstr("there is no path 3"));
+}
+
+/// A drive to and fro in a room, with odometry in the unit of which there are so many to a metre.
+TEST_F(Log, OdometryInAnotherUnitIsNotUsed) {
+    for (const double per_metre : {1.0, 100.0}) {
+        log_ = {};
+        problems_.clear();
+        transform("base", "laser", Pose2{});
+        RandomStream random({9});
+        for (int i = 0; i < 150; ++i) {
+            const double t = 0.2 * i + 1.0;
+            const double x = 3.0 * std::sin(0.1 * t);
+            RosLaserScan message = scan_message(t);
+            const LaserScan scan = test::room_scan({x, 0.0, 0.0}, t, random);
+            message.angle_min = static_cast<float>(scan.angle_min_rad);
+            message.angle_increment = static_cast<float>(scan.angle_increment_rad);
+            message.ranges = scan.ranges_m;
+            odometry(t, per_metre * x);
+            log_.add("/scan", at(t), message);
+        }
+        const auto frames = read();
+        EXPECT_EQ(stream_->summary().has_odometry, per_metre == 1.0);
+        if (per_metre == 1.0) {
+            EXPECT_THAT(problems_, testing::IsEmpty());
+        } else {
+            EXPECT_THAT(problems_, ElementsAre(HasSubstr("is not used: it moves 10")));
+            EXPECT_EQ(frames.at(100).odom_step, OdometryStep::unknown);
+        }
+    }
+}
+
+TEST_F(Log, AnglesAndRangesInOtherUnitsAreSaid) {
+    RosLaserScan message = scan_message(1.0);
+    message.ranges.assign(360, 2.0F);
+    message.angle_min = -180.0F;
+    message.angle_increment = 1.0F;
+    log_.add("/scan", at(1.0), message);
+    EXPECT_NEAR(read().at(0).scan.angle_increment_rad, std::numbers::pi / 180.0, 1e-9);
+    EXPECT_THAT(stream_->summary().assumptions,
+                testing::Contains(HasSubstr("the angles of 1 scans of /scan are taken")));
+    message.angle_increment = 0.04F;
+    log_.add("/scan", at(2.0), message);
+    EXPECT_EQ(read().size(), 1U);
+    EXPECT_THAT(problems_, ElementsAre(HasSubstr("skipped a scan whose 360 beams cover 823 degrees")));
+    log_ = {};
+    message.angle_increment = 0.01F;
+    message.range_max = 10000.0F;
+    for (std::size_t beam = 0; beam < message.ranges.size(); ++beam) {
+        message.ranges[beam] = 2000.0F + static_cast<float>(beam);
+    }
+    log_.add("/scan", at(1.0), message);
+    problems_.clear();
+    read();
+    EXPECT_THAT(problems_, ElementsAre(HasSubstr("half of the ranges are beyond 100 (up to 2359)")));
+}
+
+TEST_F(Log, SaysWhichOptionsHaveNoEffect) {
+    scan(1.0);
+    LogOptions options;
+    options.height = HeightBand{0.1, 1.0};
+    options.odom_delay_s = 0.1;
+    read(options);
+    EXPECT_THAT(stream_->summary().assumptions, testing::Contains(HasSubstr("--height has no effect")));
+    EXPECT_THAT(stream_->summary().assumptions, testing::Contains(HasSubstr("--odom-delay has no effect")));
 }
 
 TEST_F(Log, ADelayOfTheOdometryCanBeNamed) {

@@ -323,7 +323,7 @@ TEST_F(CloudLog, CountsCloudsThatCannotBeRead) {
 TEST_F(CloudLog, SaysThatTheBandIsEmpty) {
     cloud("/points", 0.1, {{3.0, 0.0, 2.0}});
     EXPECT_EQ(read().size(), 1U);
-    EXPECT_THAT(problems_, ElementsAre(HasSubstr("none of the 1 clouds of the log has a point in the band")));
+    EXPECT_THAT(problems_, ElementsAre(HasSubstr("none of the 1 clouds has a point between")));
 }
 
 TEST(CloudContainers, HoldTheSameScans) {

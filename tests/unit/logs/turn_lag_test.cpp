@@ -8,41 +8,27 @@
 #include "ddtool/base/random.hpp"
 #include "ddtool/robot/pose2.hpp"
 #include "logs/stream/scan_turn.hpp"
+#include "room_scan.hpp"
 
 namespace ddtool {
 namespace {
 
-/// A scan in an empty room of 9 x 6 m whose middle is the origin, with noise of 1 cm.
-LaserScan scan_from(const Pose2& pose, double stamp_s, RandomStream& random, int beams = 360) {
-    LaserScan scan;
-    scan.stamp_ns = std::llround(1e9 * stamp_s);
-    scan.angle_min_rad = -std::numbers::pi;
-    scan.angle_increment_rad = 2.0 * std::numbers::pi / beams;
-    scan.range_max_m = 30.0;
-    for (int beam = 0; beam < beams; ++beam) {
-        const double angle = pose.theta_rad + scan.angle_rad(static_cast<std::size_t>(beam));
-        const double along = (std::cos(angle) > 0.0 ? 4.5 - pose.x_m : -4.5 - pose.x_m) / std::cos(angle);
-        const double across = (std::sin(angle) > 0.0 ? 3.0 - pose.y_m : -3.0 - pose.y_m) / std::sin(angle);
-        scan.ranges_m.push_back(static_cast<float>(std::min(along, across) + 0.01 * random.normal()));
-    }
-    return scan;
-}
-
 TEST(ScanTurn, IsFoundWhileTheRobotDrives) {
     RandomStream random({1});
     for (const int beams : {100, 360, 1080}) {
-        const LaserScan before = scan_from({0.5, -0.3, 0.4}, 0.0, random, beams);
+        const LaserScan before = test::room_scan({0.5, -0.3, 0.4}, 0.0, random, beams);
         for (const double turn_rad : {-0.5, -0.05, 0.0, 0.02, 0.3}) {
             const Pose2 after = Pose2{0.5, -0.3, 0.4} * Pose2{0.12, 0.03, turn_rad};
-            EXPECT_NEAR(turn_between(before, scan_from(after, 0.2, random, beams)).value(), turn_rad, 0.006) << beams;
+            EXPECT_NEAR(turn_between(before, test::room_scan(after, 0.2, random, beams)).value(), turn_rad, 0.006)
+                << beams;
         }
     }
 }
 
 TEST(ScanTurn, IsNotMadeUp) {
     RandomStream random({1});
-    const LaserScan scan = scan_from({}, 0.0, random);
-    EXPECT_FALSE(turn_between(scan, scan_from({}, 0.0, random, 180)));
+    const LaserScan scan = test::room_scan({}, 0.0, random);
+    EXPECT_FALSE(turn_between(scan, test::room_scan({}, 0.0, random, 180)));
     LaserScan empty = scan;
     empty.ranges_m.assign(scan.ranges_m.size(), LaserScan::no_return);
     EXPECT_FALSE(turn_between(scan, empty));
@@ -59,7 +45,7 @@ protected:
         odometry_ = {};
         for (int i = 0; 0.2 * i < seconds; ++i) {
             const double t_s = 0.2 * i;
-            LaserScan scan = scan_from({std::sin(0.2 * t_s), 0.0, heading(t_s + sweep_s / 2.0)}, t_s, random);
+            LaserScan scan = test::room_scan({std::sin(0.2 * t_s), 0.0, heading(t_s + sweep_s / 2.0)}, t_s, random);
             scan.time_increment_s = sweep_s / 360.0;
             scans_.add(scan);
         }

@@ -220,12 +220,15 @@ Found odometry_in_stairs(const Evidence& evidence) {
                                            "wrong"};
 }
 
-/// On open ground many scans see nothing; where hardly any sees something, there is no map.
+/// On open ground many scans see nothing; where hardly any sees something, there is no map. A few blind scans of a
+/// short log say nothing yet, unless all are blind.
 Found scans_see_nothing(const Evidence& evidence) {
     constexpr std::size_t few = 10;
     constexpr double most_share = 0.95;
-    if (evidence.blind_scans <= few ||
-        static_cast<double>(evidence.blind_scans) <= most_share * static_cast<double>(evidence.all_scans)) {
+    const bool all_are_blind = evidence.blind_scans > 0 && evidence.blind_scans == evidence.all_scans;
+    const bool most_are_blind = evidence.blind_scans > few && static_cast<double>(evidence.blind_scans) >
+                                                                  most_share * static_cast<double>(evidence.all_scans);
+    if (!all_are_blind && !most_are_blind) {
         return std::nullopt;
     }
     return Finding{Standing::doubtful, std::to_string(evidence.blind_scans) + " of " +

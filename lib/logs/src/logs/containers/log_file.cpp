@@ -137,12 +137,15 @@ private:
 };
 
 ByteSource unpacked_bytes(ByteSource source, const LogProblemHandler& on_problem) {
-    const Compression compression = compression_of_start(source.start(4));
-    if (compression == Compression::none) {
-        return source;
+    for (int layer = 0; layer < most_layers; ++layer) {
+        const Compression compression = compression_of_start(source.start(4));
+        if (compression == Compression::none) {
+            break;
+        }
+        const std::string name = source.name();
+        source = ByteSource(std::make_unique<UnpackingBuffer>(std::move(source), compression, on_problem), name);
     }
-    const std::string name = source.name();
-    return {std::make_unique<UnpackingBuffer>(std::move(source), compression, on_problem), name};
+    return source;
 }
 
 }  // namespace

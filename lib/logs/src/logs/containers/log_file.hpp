@@ -20,7 +20,11 @@ struct LogFile {
     [[nodiscard]] std::string name() const { return path.string() + (entry.empty() ? "" : "/" + entry); }
 };
 
-/// The bytes of a log, decompressed if they are gzip, bzip2, zstd or lz4 by their first bytes. Throws Error naming the
+/// A file may be compressed again by a backup or an upload. More layers than this are no log that somebody packed.
+inline constexpr int most_layers = 4;
+
+/// The bytes of a log, decompressed if they are gzip, bzip2, zstd or lz4 by their first bytes, also if they are so
+/// several times, up to most_layers. Throws Error naming the
 /// file if it cannot be opened, or if the archive has no such entry. If the data are cut off or damaged, they end
 /// there, which is reported.
 ByteSource open_bytes(const LogFile& file, const LogProblemHandler& on_problem);

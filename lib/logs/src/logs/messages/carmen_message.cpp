@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "base/text.hpp"
 #include "logs/messages/readings.hpp"
@@ -13,24 +15,34 @@ namespace {
 
 constexpr double rad_per_degree = std::numbers::pi / 180.0;
 
-/// Reads the words of one line as numbers. As soon as a word is missing or invalid, ok() becomes false and stays so.
+/// Reads the words of one line as numbers. As soon as a word is missing or invalid, ok() becomes false and stays so,
+/// and fault() says which word it was.
 class Fields {
 public:
     explicit Fields(std::string_view words) : words_(words) {}
 
-    double number() { return keep(parse_number(next_word(words_))); }
-    std::int64_t stamp() { return keep(parse_stamp(next_word(words_))); }
-    [[nodiscard]] std::optional<std::int64_t> stamp_if_any() { return parse_stamp(next_word(words_)); }
-    void skip_word() { ok_ = !next_word(words_).empty() && ok_; }
+    double number() { return keep(parse_number(next()), "a number"); }
+    /// A reading of a beam, which may also be inf (no return) or nan.
+    float reading() {
+        const std::string_view word = next();
+        float special = 0.0F;
+        const auto [end, error] = std::from_chars(word.begin(), word.end(), special);
+        if (error == std::errc() && end == word.end() && !std::isfinite(special)) {
+            return special;
+        }
+        return static_cast<float>(keep(parse_number(word), "a range in metres"));
+    }
+    std::int64_t stamp() { return keep(parse_stamp(next()), "a time in seconds"); }
+    [[nodiscard]] std::optional<std::int64_t> stamp_if_any() { return parse_stamp(next()); }
+    void skip_word() { expect(!next().empty(), "the name of the host"); }
     void skip_numbers(std::size_t count) {
-        for (std::size_t i = 0; i < count && ok_; ++i) {
+        for (std::size_t i = 0; i < count && ok(); ++i) {
             number();
         }
     }
     Pose2 pose() {
-        const double x = number();
-        const double y = number();
-        ok_ = ok_ && std::abs(x) < farthest_m && std::abs(y) < farthest_m;
+        const double x = coordinate();
+        const double y = coordinate();
         return {x, y, number()};
     }
     /// Reads a count of values that follow in the same line. A value takes at least two characters with its separator,
@@ -38,26 +50,57 @@ public:
     std::size_t count() {
         const double value = number();
         const std::size_t most = words_.size() / 2;
-        ok_ = ok_ && value >= 0.0 && value == std::floor(value) && value <= static_cast<double>(most);
-        return ok_ ? static_cast<std::size_t>(value) : 0;
+        expect(value >= 0.0 && value == std::floor(value) && value <= static_cast<double>(most),
+               "the number of the values that follow in the line");
+        return ok() ? static_cast<std::size_t>(value) : 0;
     }
-    [[nodiscard]] bool ok() const { return ok_; }
+    [[nodiscard]] bool ok() const { return fault_.empty(); }
+    /// "word 7 is '1,53', expected a number"; empty while all is well.
+    [[nodiscard]] const std::string& fault() const { return fault_; }
 
 private:
+    /// Not the comma, which separates words elsewhere: some programs write it for a decimal point.
+    static constexpr std::string_view blanks = " \t\r";
+
+    std::string_view next() {
+        ++number_;
+        const std::size_t begin = std::min(words_.find_first_not_of(blanks), words_.size());
+        const std::size_t end = std::min(words_.find_first_of(blanks, begin), words_.size());
+        word_ = words_.substr(begin, end - begin);
+        words_.remove_prefix(end);
+        return word_;
+    }
+    double coordinate() {
+        const double value = number();
+        expect(std::abs(value) < farthest_m, "a position in metres");
+        return value;
+    }
+    void expect(bool is_met, const char* expected) {
+        if (ok() && !is_met) {
+            constexpr std::size_t most_shown = 20;
+            const std::string found(word_.substr(0, most_shown));
+            const bool has_comma = word_.find(',') != std::string_view::npos;
+            fault_ = (word_.empty() ? "it ends before word " + std::to_string(number_)
+                                    : "word " + std::to_string(number_) + " is '" + found + "'") +
+                     ", expected " + expected + (has_comma ? " with a decimal point" : "");
+        }
+    }
     template <typename Value>
-    Value keep(const std::optional<Value>& value) {
-        ok_ = ok_ && value.has_value();
+    Value keep(const std::optional<Value>& value, const char* expected) {
+        expect(value.has_value(), expected);
         return value.value_or(Value{});
     }
 
     std::string_view words_;
-    bool ok_ = true;
+    std::string_view word_;   ///< the one read last
+    std::size_t number_ = 1;  ///< of that word in the line, whose first is the message's name
+    std::string fault_;
 };
 
 std::vector<float> read_ranges(Fields& fields) {
     std::vector<float> ranges(fields.count());
     for (float& range : ranges) {
-        range = static_cast<float>(fields.number());
+        range = fields.reading();
     }
     return ranges;
 }
@@ -92,21 +135,24 @@ void set_flaser_angles(LaserScan& scan) {
 
 /// Reads the end that every message has. The name of the host is required, because a line that is cut off within the
 /// time before it must not be accepted.
-std::optional<CarmenScan> finish(Fields& fields, CarmenScan message) {
+CarmenLine finish(Fields& fields, CarmenScan message) {
     message.scan.stamp_ns = fields.stamp();
     fields.skip_word();
     message.logger_time_ns = fields.stamp_if_any();
-    if (!fields.ok() || message.scan.ranges_m.empty()) {
-        return std::nullopt;
+    if (!fields.ok()) {
+        return {std::nullopt, fields.fault()};
     }
-    return message;
+    if (message.scan.ranges_m.empty()) {
+        return {std::nullopt, "it has 0 readings"};
+    }
+    return {std::move(message), ""};
 }
 
 }  // namespace
 
 bool is_sick_view(std::size_t beams) { return known_sick_view(beams).has_value(); }
 
-std::optional<CarmenScan> parse_flaser(std::string_view words) {
+CarmenLine parse_flaser(std::string_view words) {
     Fields fields(words);
     CarmenScan message;
     message.scan.ranges_m = read_ranges(fields);
@@ -116,7 +162,7 @@ std::optional<CarmenScan> parse_flaser(std::string_view words) {
     return finish(fields, std::move(message));
 }
 
-std::optional<CarmenScan> parse_robotlaser(std::string_view words) {
+CarmenLine parse_robotlaser(std::string_view words) {
     Fields fields(words);
     CarmenScan message;
     fields.number();  // laser type

@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "base/text.hpp"
 #include "ddtool/base/error.hpp"
+#include "logs/stream/idle_options.hpp"
+#include "logs/stream/scan_angles.hpp"
 #include "logs/stream/scan_change.hpp"
 
 namespace ddtool {
@@ -31,11 +34,24 @@ void check_options(const std::string& file, const LogOptions& options) {
                              "ground truth");
         }
     }
-    if (options.odom_path > 1 || options.odom_delay_s.value_or(0.0) != 0.0) {
-        throw UsageError(file +
-                         ": in a CARMEN log each scan has its own pose of the odometry, of one publisher and "
-                         "without a delay that could be taken off; ddtool convert makes a log of it in which it can");
+    if (!options.robot.empty()) {
+        throw UsageError(file + ": has no scans of a robot '" + options.robot +
+                         "'; a CARMEN log is of one robot, without a name");
     }
+    if (!options.imu_topic.empty() && options.imu_topic != "none") {
+        throw UsageError(file + ": has no inertial topic '" + options.imu_topic +
+                         "'; inertial sensors of CARMEN logs are not read");
+    }
+    if (options.odom_path > 1) {
+        throw UsageError(file + ": there is no path " + std::to_string(options.odom_path) +
+                         "; in a CARMEN log the poses of the odometry are those of one publisher");
+    }
+}
+
+double rad_of_degrees(double degrees) { return degrees * std::numbers::pi / 180.0; }
+
+CarmenLine parse_scan(std::string_view name, std::string_view words) {
+    return name == flaser ? parse_flaser(words) : parse_robotlaser(words);
 }
 
 }  // namespace
@@ -48,7 +64,17 @@ CarmenStream::CarmenStream(const FoundLog& log, LogOptions options, LogProblemHa
     check_options(file_, options_);
     summary_.format = "CARMEN";
     summary_.scan_topic = options_.scan_topic;
+    odom_delay_ns_ = std::llround(1e9 * options_.odom_delay_s.value_or(0.0));
+    summary_.odom_delay_removed_s = options_.odom_delay_s.value_or(0.0);
     read_ahead();
+    if (odom_delay_ns_ != 0 && !stamps_are_plain_) {
+        throw UsageError(file_ +
+                         ": --odom-delay: the times of the lines are no stamps, so that no delay can be taken off");
+    }
+    judge_odometry(log);
+    for (const std::string& line : options_without_effect(options_, {.odometry = summary_.has_odometry})) {
+        summary_.assumptions.push_back(file_ + ": " + line);
+    }
 }
 
 double CarmenStream::fraction_read() const { return lines_.fraction_read(); }
@@ -83,14 +109,35 @@ std::optional<SensorFrame> CarmenStream::next_read() {
     }
     SensorFrame& frame = next.frame;
     const std::int64_t logged_ns = frame.scan.stamp_ns;
+    if (odom_delay_ns_ != 0) {
+        take_delayed_odometry(frame, logged_ns);
+    }
     frame.scan.stamp_ns = times_.time_ns(logged_ns, true, next.recorded_ns);
     set_no_returns(frame.scan);
     if (!summary_.has_odometry) {
         frame.odom_from_robot = {};
         frame.odom_step = OdometryStep::unknown;
+    } else if (!next.jump.empty()) {
+        report({next.jump});
     }
     time_beams(frame, logged_ns);
     return std::move(frame);
+}
+
+/// The pose at the stamp of the scan in the odometry whose stamps have the delay taken off.
+void CarmenStream::take_delayed_odometry(SensorFrame& frame, std::int64_t logged_ns) {
+    const std::int64_t wanted_ns = stamp_sum(logged_ns, odom_delay_ns_);
+    while (ahead_.size() < most_waiting && (ahead_.empty() || ahead_.back().frame.scan.stamp_ns < wanted_ns)) {
+        std::optional<Ahead> following = read_frame();
+        if (!following) {
+            break;
+        }
+        ahead_.push_back(std::move(*following));
+    }
+    const std::optional<Pose2> pose = odometry_.at(wanted_ns);
+    frame.odom_from_robot = pose ? *pose : odometry_.nearest(wanted_ns)->pose;
+    frame.odom_step = last_wanted_ns_ ? unknown_motion_.step(*last_wanted_ns_, wanted_ns) : OdometryStep::measured;
+    last_wanted_ns_ = wanted_ns;
 }
 
 /// The odometry is known at the stamps of the scans alone; between this one and the next, the motion is taken as
@@ -102,6 +149,9 @@ void CarmenStream::time_beams(SensorFrame& frame, std::int64_t logged_ns) {
         }
         if (!summary_.has_odometry || ahead_.empty()) {
             return std::nullopt;
+        }
+        if (odom_delay_ns_ != 0) {
+            return odometry_.extended_at(stamp_sum(stamp_sum(logged_ns, odom_delay_ns_), std::llround(1e9 * seconds)));
         }
         const SensorFrame& following = ahead_.front().frame;
         const Pose2& next = following.odom_from_robot;
@@ -124,6 +174,7 @@ void CarmenStream::read_ahead() {
     RangePiles piles;
     ScanChange change;
     ScanRate rate;
+    RangeUnit unit;
     bool robot_moves = false;
     while (ahead_.size() < scans_read_ahead) {
         std::optional<Ahead> next = read_frame();
@@ -131,6 +182,7 @@ void CarmenStream::read_ahead() {
             break;
         }
         const SensorFrame& frame = next->frame;
+        unit.add(frame.scan);
         piles.add(frame.scan);
         change.add(frame.scan);
         rate.add(frame.scan, "");
@@ -142,6 +194,10 @@ void CarmenStream::read_ahead() {
     }
     find_sweep(rate);
     no_returns_ = options_.no_return_m.empty() ? piles.find(true) : named_no_returns(options_.no_return_m);
+    for (const std::string& line : piles.never_read(options_.no_return_m)) {
+        summary_.assumptions.push_back(file_ + ": " + line);
+    }
+    choose_times();
     if (!options_.with_odometry) {
         summary_.has_odometry = false;
         summary_.assumptions.push_back(file_ + ": the odometry of the log is left out, as was asked for");
@@ -150,8 +206,69 @@ void CarmenStream::read_ahead() {
         report({file_ + ": the odometry in the lines of the scans is not used: it never moves, although the scans do"});
     }
     note_assumptions();
-    choose_times();
+    if (const std::string fault = unit.fault(); !fault.empty()) {
+        report({file_ + ": " + fault});
+    }
     expect_ranges();
+}
+
+/// Compares the lengths and the turns of the odometry with those of the scans, in a reading of its own.
+void CarmenStream::judge_odometry(const FoundLog& log) {
+    if (!summary_.has_odometry || !stamps_are_plain_) {
+        return;
+    }
+    ScanTurns turns;
+    ScanWay way;
+    HeadingTrack headings;
+    HeadingTrack headings_as_degrees;
+    WayTrack track;
+    LineReader lines = open_lines(log, {});
+    while (!turns.is_full() || !way.is_full()) {
+        std::optional<std::string_view> line = lines.next();
+        if (!line) {
+            break;
+        }
+        const std::string_view name = next_word(*line);
+        std::optional<CarmenScan> message = name == summary_.scan_topic ? parse_scan(name, *line).scan : std::nullopt;
+        if (message && read_angles(message->scan) != ScanAngles::impossible) {
+            set_no_returns(message->scan);
+            turns.add(message->scan);
+            way.add(message->scan);
+            headings.add(message->scan.stamp_ns, message->odom_from_robot.theta_rad);
+            headings_as_degrees.add(message->scan.stamp_ns, rad_of_degrees(message->odom_from_robot.theta_rad));
+            track.add({message->scan.stamp_ns, message->odom_from_robot});
+        }
+    }
+    const std::optional<TurnLag> lag = turn_lag(turns, headings, 0.0);
+    std::string fault = length_fault(way, track, 0.0);
+    if (!lag && turn_lag(turns, headings_as_degrees, 0.0)) {
+        fault += std::string(fault.empty() ? "" : "; ") +
+                 "its turns fit the scans' only if it is in degrees; expected "
+                 "radians";
+    }
+    if (!fault.empty()) {
+        summary_.has_odometry = false;
+        report({file_ + ": the odometry in the lines of the scans is not used: " + fault});
+        return;
+    }
+    note_delay(lag);
+}
+
+/// The pose in the line of a scan is the latest that the robot had when the scan came, and so may be of another time.
+void CarmenStream::note_delay(std::optional<TurnLag> lag) {
+    if (!lag) {
+        return;
+    }
+    lag->late_s -= sweep_timer_.middle_s();
+    summary_.odom_delay = {lag->late_s, lag->sigma_s};
+    if (lag->is_significant() && !options_.odom_delay_s) {
+        summary_.assumptions.push_back(
+            file_ + ": the poses of the odometry are " + fixed_text(1e3 * std::abs(lag->late_s), 0) + " ms (+- " +
+            fixed_text(1e3 * lag->sigma_s, 0) + ") " + (lag->late_s > 0.0 ? "late" : "early") +
+            " against the scans in whose lines they are, as the turns of both show; this is not taken off; "
+            "--odom-delay " +
+            fixed_text(lag->late_s, 3) + " does");
+    }
 }
 
 void CarmenStream::choose_times() {
@@ -161,6 +278,7 @@ void CarmenStream::choose_times() {
     }
     const StampRule rule = stamps.rule("the scans " + summary_.scan_topic);
     times_ = StampReader(rule);
+    stamps_are_plain_ = rule.assumption.empty() && rule.fault.empty();
     if (!rule.assumption.empty()) {
         summary_.assumptions.push_back(file_ + ": " + rule.assumption);
     }
@@ -194,6 +312,12 @@ void CarmenStream::note_assumptions() {
     if (summary_.scan_topic == flaser && !mounting_ && !options_.laser_pose) {
         summary_.assumptions.push_back(
             file_ + ": no PARAM robot_frontlaser_offset; the laser is taken to be at the robot's origin");
+    }
+    if (in_degrees_ > 0) {
+        summary_.assumptions.push_back(file_ + ": the angles of " + std::to_string(in_degrees_) + " of the first " +
+                                       std::to_string(ahead_.size()) + " scans " + summary_.scan_topic +
+                                       " are taken for degrees, because as radians their beams would cover several "
+                                       "turns");
     }
     if (options_.no_return_m.empty()) {
         for (const std::string& line : no_returns_.lines()) {
@@ -230,21 +354,39 @@ std::optional<CarmenStream::Ahead> CarmenStream::take_scan(const std::string& na
         other_scan_name_ = name;
         return std::nullopt;
     }
-    std::optional<CarmenScan> message = name == flaser ? parse_flaser(words) : parse_robotlaser(words);
+    auto [message, fault] = parse_scan(name, words);
     if (!message) {
-        report({file_ + ":" + std::to_string(lines_.line_number()) + ": skipped a damaged " + name +
-                " line; expected its readings, two poses, time and host"});
+        report(
+            {file_ + ":" + std::to_string(lines_.line_number()) + ": skipped a damaged " + name + " line: " + fault});
         return std::nullopt;
+    }
+    switch (read_angles(message->scan)) {
+        case ScanAngles::impossible:
+            report({file_ + ":" + std::to_string(lines_.line_number()) + ": skipped " + angle_fault(message->scan)});
+            return std::nullopt;
+        case ScanAngles::degrees:
+            ++in_degrees_;
+            break;
+        case ScanAngles::radians:
+            break;
     }
     ++summary_.odometry;
     summary_.odom_topic = name;
-    Ahead ahead{{}, recorded_ns(*message)};
+    Ahead ahead{{}, recorded_ns(*message), ""};
     SensorFrame& frame = ahead.frame;
     frame.robot_from_laser = robot_from_laser(*message);
     frame.odom_from_robot = resets_.follow({message->scan.stamp_ns, message->odom_from_robot});
     if (const auto& jump = resets_.last_jump()) {
         frame.odom_step = jump->is_bridged ? OdometryStep::measured : OdometryStep::unknown;
-        report({file_ + ":" + std::to_string(lines_.line_number()) + ": the odometry " + OdometryResets::text(*jump)});
+        if (!jump->is_bridged) {
+            unknown_motion_.add_unknown(last_logged_ns_, message->scan.stamp_ns);
+        }
+        ahead.jump =
+            file_ + ":" + std::to_string(lines_.line_number()) + ": the odometry " + OdometryResets::text(*jump);
+    }
+    last_logged_ns_ = message->scan.stamp_ns;
+    if (odom_delay_ns_ != 0) {
+        odometry_.add({last_logged_ns_, frame.odom_from_robot});
     }
     frame.scan = std::move(message->scan);
     return ahead;
@@ -318,7 +460,9 @@ void CarmenStream::fail_without_scans() const {
     const std::string hint = other_scan_name_.empty() ? "" : " (it has " + other_scan_name_ + " lines)";
     const std::string wanted =
         summary_.scan_topic.empty() ? std::string(flaser) + " or " + std::string(robotlaser) : summary_.scan_topic;
-    throw Error(file_ + ": holds no readable scans; expected " + wanted + " lines" + hint);
+    const std::string first =
+        summary_.first_problems.empty() ? "" : "; the first problem: " + summary_.first_problems.front();
+    throw Error(file_ + ": holds no readable scans; expected " + wanted + " lines" + hint + first);
 }
 
 }  // namespace ddtool

@@ -87,6 +87,16 @@ HeightBand band_around_lidar(double lidar_height_m) {
             std::max(above_floor_m + band_half_height_m, lidar_height_m) + band_half_height_m};
 }
 
+HeightBand heights_of(const CloudReading& cloud, const Eigen::Isometry3d& robot_from_lidar) {
+    const Eigen::Isometry3d robot_from_cloud = robot_from_lidar * cloud.frame_from_cloud;
+    HeightBand heights{INFINITY, -INFINITY};
+    for (const Eigen::Vector3f& point : cloud.points_m) {
+        const double height_m = (robot_from_cloud * point.cast<double>()).z();
+        heights = {std::min(heights.min_m, height_m), std::max(heights.max_m, height_m)};
+    }
+    return heights;
+}
+
 LaserScan cloud_scan(const CloudReading& cloud, const Eigen::Isometry3d& robot_from_cloud, const HeightBand& band,
                      std::size_t beams) {
     LaserScan scan;

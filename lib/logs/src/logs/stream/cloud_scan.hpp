@@ -30,4 +30,7 @@ inline constexpr HeightBand band_around_unknown{-0.3, 0.3};
 LaserScan cloud_scan(const CloudReading& cloud, const Eigen::Isometry3d& robot_from_cloud, const HeightBand& band,
                      std::size_t beams);
 
+/// The least and the largest height of the points of a cloud, which has at least one.
+HeightBand heights_of(const CloudReading& cloud, const Eigen::Isometry3d& robot_from_lidar);
+
 }  // namespace ddtool

@@ -28,6 +28,21 @@ bool is_nearer(const Pose2& a, const Pose2& b, double least_m, double least_rad)
 }  // namespace
 
 void FrameWatch::add(SensorFrame frame) {
+    const StrayStamps::Found found = strays_.add(frame.scan.stamp_ns, frame.lidar);
+    if (const auto suspect = suspects_.find(frame.lidar); suspect != suspects_.end()) {
+        if (!found.before_was_stray) {
+            watch(std::move(suspect->second));
+        }
+        suspects_.erase(suspect);
+    }
+    if (found.is_suspect) {
+        suspects_.emplace(frame.lidar, std::move(frame));
+    } else {
+        watch(std::move(frame));
+    }
+}
+
+void FrameWatch::watch(SensorFrame frame) {
     first_ns_ = first_ns_.value_or(frame.scan.stamp_ns);
     check_pause(frame);
     const bool is_still = frame.odom_step == OdometryStep::measured && before_ &&
@@ -104,7 +119,14 @@ void FrameWatch::end_stuck_part() {
 }
 
 void FrameWatch::end() {
+    for (auto& [lidar, suspect] : suspects_) {
+        watch(std::move(suspect));
+    }
+    suspects_.clear();
     release_waiting();
+    if (std::string finding = strays_.finding(); !finding.empty()) {
+        findings_.push_back(std::move(finding));
+    }
     if (stuck_scans_ > 0) {
         end_stuck_part();
     }

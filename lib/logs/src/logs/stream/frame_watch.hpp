@@ -3,12 +3,14 @@
 #include <cstddef>
 #include <cstdint>
 #include <deque>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "ddtool/robot/sensor_stream.hpp"
 #include "ddtool/robot/trajectory.hpp"
+#include "logs/stream/stray_stamps.hpp"
 
 namespace ddtool {
 
@@ -22,6 +24,8 @@ namespace ddtool {
 ///
 /// Scans are missing where two are farther apart than two seconds and ten times their usual interval, and the odometry
 /// says that the robot moved by more than a metre or a radian meanwhile, so that they may show different things.
+///
+/// Scans whose stamps are far from those of their neighbours (StrayStamps) are left out, counted, and named at the end.
 class FrameWatch {
 public:
     static constexpr std::size_t unchanged_waiting = 16;
@@ -43,6 +47,7 @@ private:
         std::size_t passed = 0;  ///< places that the scans of this laser passed
     };
 
+    void watch(SensorFrame frame);
     void stand(SensorFrame frame);
     void move(SensorFrame frame);
     void release_waiting();
@@ -60,7 +65,9 @@ private:
     StampedPose still_;                     ///< where and since when the odometry stands
     std::vector<Place> places_;             ///< the last ones since then
     std::size_t stuck_scans_ = 0;
-    std::deque<double> intervals_s_;  ///< between the latest scans
+    StrayStamps strays_;
+    std::map<std::size_t, SensorFrame> suspects_;  ///< by lidar: scans that wait until it is known whether they stray
+    std::deque<double> intervals_s_;               ///< between the latest scans
     std::vector<std::string> findings_;
 };
 

@@ -5,6 +5,7 @@
 
 #include "logs/messages/ros_conversions.hpp"
 #include "logs/stream/cloud_scan.hpp"
+#include "logs/stream/scan_angles.hpp"
 
 namespace ddtool {
 namespace {
@@ -37,18 +38,6 @@ void mirror(LaserScan& scan) {
     scan.angle_increment_rad = -scan.angle_increment_rad;
 }
 
-std::optional<std::string> find_fault(const LaserScan& scan) {
-    if (scan.ranges_m.empty()) {
-        return "a scan without beams";
-    }
-    const bool finite = std::isfinite(scan.angle_min_rad) && std::isfinite(scan.angle_increment_rad);
-    if (!finite || (scan.angle_increment_rad == 0.0 && scan.ranges_m.size() > 1)) {
-        return "a scan whose beams have no directions (angle_min " + std::to_string(scan.angle_min_rad) +
-               ", angle_increment " + std::to_string(scan.angle_increment_rad) + ")";
-    }
-    return std::nullopt;
-}
-
 }  // namespace
 
 bool is_same_mounting(const Pose2& a, const Pose2& b) {
@@ -59,8 +48,11 @@ bool is_same_mounting(const Pose2& a, const Pose2& b) {
 std::optional<std::string> place_scan(ScanReading reading, const Eigen::Isometry3d& robot_from_laser,
                                       const RangeRules& rules, SensorFrame& frame) {
     LaserScan& scan = reading.scan;
-    if (std::optional<std::string> fault = find_fault(scan)) {
-        return fault;
+    if (scan.ranges_m.empty()) {
+        return "a scan without beams";
+    }
+    if (read_angles(scan) == ScanAngles::impossible) {
+        return angle_fault(scan);
     }
     const Eigen::Isometry3d robot_from_scan = robot_from_laser * reading.frame_from_scan;
     const bool upside_down = robot_from_scan.linear()(2, 2) < 0.0;

@@ -175,6 +175,10 @@ FoundLog find_log(const std::filesystem::path& path) {
         const std::filesystem::path folder = path.parent_path();
         return {LogContainer::rosbag2_folder, folder.empty() ? "." : folder, {}};
     }
+    if (compression_of_start(bytes) != Compression::none) {
+        throw Error(path.string() + ": is compressed more than " + std::to_string(most_layers) +
+                    " times; unpack it and give the log in it");
+    }
     throw Error(path.string() + ": " + describe_file_start(bytes) +
                 "; expected MCAP, a ROS 1 bag, rosbag2 (.db3 or its folder) or a CARMEN log (also compressed, or in a "
                 "tar archive)");

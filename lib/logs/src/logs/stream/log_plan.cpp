@@ -11,6 +11,7 @@
 #include "ddtool/base/error.hpp"
 #include "ddtool/system/settings.hpp"
 #include "logs/stream/cloud_scan.hpp"
+#include "logs/stream/idle_options.hpp"
 #include "logs/stream/topic_names.hpp"
 
 namespace ddtool {
@@ -71,8 +72,10 @@ public:
         find_heights();
         find_echo();
         find_no_returns();
+        judge_units();
         find_sweep();
         choose_imu();
+        note_options_without_effect();
         plan_.has_information = survey_.has_information;
         return plan_;
     }
@@ -394,6 +397,13 @@ private:
             blame("the odometry " + name + " is not used: its stamps share no moment with those of the scans");
             return false;
         }
+        // Turns and lengths were noted with the stamps of the messages.
+        const bool stamps_are_good = scan_stamps.assumption.empty() && stamps.assumption.empty();
+        if (const std::string fault = stamps_are_good ? length_fault(scan_.way, track.way(), ahead_s) : "";
+            !fault.empty()) {
+            blame("the odometry " + name + " is not used: " + fault);
+            return false;
+        }
         plan_.odom_stamps = stamps_of(track.stamps(), "the odometry " + name);
         plan_.odom_clock_offset_ns = std::llround(-1e9 * ahead_s);
         if (is_another_clock) {
@@ -401,8 +411,7 @@ private:
                    (ahead_s > 0.0 ? "ahead of" : "behind") +
                    " that of the scans, as the times of recording show; this is taken off its stamps");
         }
-        // The turns were noted with the stamps of the messages.
-        if (scan_stamps.assumption.empty() && plan_.odom_stamps.assumption.empty()) {
+        if (stamps_are_good) {
             plan_.odom_lag = turn_lag(scan_.turns, track.heading(), ahead_s);
             plan_.takes_off_lag = !options_.odom_delay_s;
         }
@@ -579,10 +588,11 @@ private:
         return robot;
     }
 
+    static bool gives_several_echoes(const TopicSurvey& lidar) { return lidar.type.ends_with("/MultiEchoLaserScan"); }
+
     void find_echo() {
         plan_.echo = options_.strongest_echo ? Echo::strongest : Echo::first;
-        const auto echoes = std::ranges::find_if(
-            lidars_, [](const TopicSurvey& lidar) { return lidar.type.ends_with("/MultiEchoLaserScan"); });
+        const auto echoes = std::ranges::find_if(lidars_, gives_several_echoes);
         if (echoes != lidars_.end()) {
             assume("of each beam of " + echoes->topic + " the " +
                    (options_.strongest_echo ? "strongest echo is used"
@@ -614,6 +624,11 @@ private:
             RangeRules ranges{.no_returns = {}, .range_max_m = options_.range_max_m};
             if (!options_.no_return_m.empty()) {
                 ranges.no_returns = named_no_returns(options_.no_return_m);
+                const bool has_readings = lidar.kind == MessageKind::scan;
+                for (const std::string& line :
+                     lidar.piles.never_read(has_readings ? options_.no_return_m : std::vector<double>{})) {
+                    assume(lidars_.size() > 1 ? lidar.topic + ": " + line : line);
+                }
             } else {
                 ranges.no_returns = lidar.piles.find(false);
                 for (const std::string& line : ranges.no_returns.lines()) {
@@ -628,6 +643,18 @@ private:
         return *std::ranges::find(plan_.lidars, lidar.topic, &LidarPlan::topic);
     }
 
+    void judge_units() {
+        for (const TopicSurvey& lidar : lidars_) {
+            if (const std::string fault = lidar.unit.fault(); !fault.empty()) {
+                blame(lidar.topic + ": " + fault);
+            }
+            if (lidar.scans_in_degrees > 0) {
+                assume("the angles of " + std::to_string(lidar.scans_in_degrees) + " scans of " + lidar.topic +
+                       " are taken for degrees, because as radians their beams would cover several turns");
+            }
+        }
+    }
+
     void find_sweep() {
         for (const TopicSurvey& lidar : lidars_) {
             SweepTiming& sweep = lidar_plan(lidar).sweep;
@@ -635,6 +662,16 @@ private:
             if (!sweep.doubt.empty()) {
                 assume(sweep.doubt);
             }
+        }
+    }
+
+    /// Says which options change nothing in this log, so that nobody believes that they do.
+    void note_options_without_effect() {
+        const UsedOfLog used{.clouds = std::ranges::count(lidars_, MessageKind::cloud, &TopicSurvey::kind) > 0,
+                             .echoes = std::ranges::any_of(lidars_, gives_several_echoes),
+                             .odometry = !plan_.odom_topic.empty()};
+        for (const std::string& line : options_without_effect(options_, used)) {
+            assume(line);
         }
     }
 

@@ -7,6 +7,7 @@
 
 #include "logs/stream/cloud_scan.hpp"
 #include "logs/stream/pose_reader.hpp"
+#include "logs/stream/scan_angles.hpp"
 #include "logs/stream/topic_names.hpp"
 
 namespace ddtool {
@@ -73,7 +74,7 @@ private:
                            [&](const auto& entry) { return entry.second.kind == kind; });
     }
     void note_scan(const McapMessage& message, TopicSurvey& topic) const {
-        const std::optional<ScanReading> reading =
+        std::optional<ScanReading> reading =
             decode_scan(message, options_.strongest_echo ? Echo::strongest : Echo::first);
         ++topic.scans;
         if (!reading) {
@@ -81,7 +82,9 @@ private:
             return;
         }
         ++topic.scans_read;
+        topic.scans_in_degrees += read_angles(reading->scan) == ScanAngles::degrees ? 1 : 0;
         topic.scans_with_ranges += has_range(reading->scan) ? 1 : 0;
+        topic.unit.add(reading->scan);
         topic.piles.add(reading->scan);
         topic.change.add(reading->scan);
         topic.rate.add(reading->scan, reading->frame_id);
@@ -92,6 +95,7 @@ private:
         note_frame(reading->frame_id, topic);
         if (reading->frame_id == topic.scan_frames.front()) {
             topic.turns.add(reading->scan);
+            topic.way.add(reading->scan);
         }
     }
     static void note_frame(const std::string& frame_id, TopicSurvey& topic) {

@@ -12,12 +12,14 @@
 #include "logs/messages/message_decoder.hpp"
 #include "logs/stream/gyro_survey.hpp"
 #include "logs/stream/no_return.hpp"
+#include "logs/stream/range_unit.hpp"
 #include "logs/stream/scan_change.hpp"
 #include "logs/stream/scan_rate.hpp"
 #include "logs/stream/stamp_survey.hpp"
 #include "logs/stream/track_survey.hpp"
 #include "logs/stream/transform_tree.hpp"
 #include "logs/stream/turn_lag.hpp"
+#include "logs/stream/way_scale.hpp"
 
 namespace ddtool {
 
@@ -34,7 +36,9 @@ struct TopicSurvey {
     std::size_t scans = 0;                 ///< messages of scans and clouds
     std::size_t scans_read = 0;            ///< of these, those that could be decoded
     std::size_t scans_with_ranges = 0;     ///< of these, those with a range that is a positive number, or with points
+    std::size_t scans_in_degrees = 0;      ///< of these, those whose angles are not in radians
     std::string first_fault;               ///< of the first that could not be decoded
+    RangeUnit unit;                        ///< of all scans
     RangePiles piles;                      ///< of all scans
     ScanChange change;                     ///< of all scans or clouds
     ClockLag clock;                        ///< of all scans or clouds with a stamp
@@ -42,6 +46,7 @@ struct TopicSurvey {
     ScanRate rate;                         ///< of all scans
     GyroSurvey gyro;                       ///< of inertial messages
     ScanTurns turns;                       ///< of the scans in the first of the frames
+    ScanWay way;                           ///< likewise
     std::map<FramePair, TrackSurvey> tracks;  ///< of odometry, poses and transforms
 };
 

@@ -17,8 +17,7 @@ void take_scan(LogUse& use, const LaserScan& scan) {
     use.field_of_view_rad = std::abs(scan.angle_rad(scan.ranges_m.size() - 1) - scan.angle_min_rad);
     use.range_max_m = scan.range_max_m;
     use.beams += scan.ranges_m.size();
-    use.returns += static_cast<std::size_t>(
-        std::ranges::count_if(scan.ranges_m, [](float range_m) { return std::isfinite(range_m); }));
+    use.returns += returns_of(scan);
 }
 
 /// Notes where the laser of a scan is, unless one is known within a millimetre and a milliradian.
@@ -34,6 +33,7 @@ void take_step(LogUse& use, const SensorFrame& before, const SensorFrame& frame)
     const double gap_s = 1e-9 * (static_cast<double>(frame.scan.stamp_ns) - static_cast<double>(before.scan.stamp_ns));
     use.longest_gap_s = std::max(use.longest_gap_s, gap_s);
     use.stamps_back += gap_s < 0.0 ? 1 : 0;
+    use.most_back_s = std::max(use.most_back_s, -gap_s);
     if (frame.lidar != 0) {
         return;
     }
@@ -42,6 +42,21 @@ void take_step(LogUse& use, const SensorFrame& before, const SensorFrame& frame)
 }
 
 }  // namespace
+
+std::size_t returns_of(const LaserScan& scan) {
+    return static_cast<std::size_t>(
+        std::ranges::count_if(scan.ranges_m, [](float range_m) { return std::isfinite(range_m); }));
+}
+
+std::string why_unusable(const LogSummary& summary, std::size_t returns) {
+    if (returns > 0) {
+        return "";
+    }
+    const std::string first =
+        summary.first_problems.empty() ? "" : "; the first problem: " + summary.first_problems.front();
+    return summary.scans == 0 ? "none of its scans can be used" + first
+                              : "no beam of its " + std::to_string(summary.scans) + " scans has a return" + first;
+}
 
 LogUse use_of(LogStream& log, const std::function<void(double)>& on_progress) {
     LogUse use;

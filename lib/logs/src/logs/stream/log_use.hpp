@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <string>
 #include <vector>
 
 #include "ddtool/logs/log_stream.hpp"
@@ -21,6 +22,7 @@ struct LogUse {
     std::int64_t last_ns = 0;
     double longest_gap_s = 0.0;         ///< between the stamps of two scans of a lidar
     std::size_t stamps_back = 0;        ///< scans whose stamp is earlier than that of the lidar's previous scan
+    double most_back_s = 0.0;           ///< by how much, at most
     std::size_t beams = 0;              ///< of all scans
     std::size_t returns = 0;            ///< beams with a range
     double odometry_m = 0.0;            ///< distance driven by odometry, added up from scan to scan of the first lidar
@@ -31,6 +33,12 @@ struct LogUse {
         return 1e-9 * (static_cast<double>(last_ns) - static_cast<double>(first_ns));
     }
 };
+
+/// The number of beams with a range.
+std::size_t returns_of(const LaserScan& scan);
+
+/// Why no map can be made of the frames that a log gave, of which `returns` beams have a range; empty if one can.
+std::string why_unusable(const LogSummary& summary, std::size_t returns);
 
 /// Reads the log to its end.
 /// \param on_progress is called with the share read, 0..1

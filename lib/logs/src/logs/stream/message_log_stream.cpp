@@ -170,9 +170,14 @@ std::optional<SensorFrame> MessageLogStream::read_frame() {
 void MessageLogStream::end() {
     ended_ = true;
     release_odometry(true);
-    if (clouds_ > 0 && clouds_in_band_ == 0) {
-        report({file_ + ": none of the " + std::to_string(clouds_) + " clouds of the log" +
-                " has a point in the band of heights; expected walls there, see --height MIN,MAX"});
+    if (clouds_.read > 0 && clouds_.in_band == 0) {
+        const auto heights = [](const HeightBand& band) {
+            return fixed_text(band.min_m, 2) + " and " + fixed_text(band.max_m, 2) + " m";
+        };
+        report({file_ + ": none of the " + std::to_string(clouds_.read) + " clouds has a point between " +
+                heights(clouds_.band) + " above " +
+                (plan_.robot_from_other_laser ? "the lidar" : "the robot's origin") + "; their points are between " +
+                heights(clouds_.heights) + "; expected walls in the band, --height MIN,MAX takes another"});
     }
 }
 
@@ -242,8 +247,15 @@ void MessageLogStream::take_cloud(const McapMessage& message, std::size_t lidar)
     SensorFrame frame;
     frame.lidar = lidar;
     place_cloud(*reading, *robot_from_laser, band, plan_.cloud_beams, plan_.lidars[lidar].ranges, frame);
-    ++clouds_;
-    clouds_in_band_ += std::ranges::any_of(frame.scan.ranges_m, [](float m) { return std::isfinite(m); }) ? 1 : 0;
+    ++clouds_.read;
+    clouds_.in_band += std::ranges::any_of(frame.scan.ranges_m, [](float m) { return std::isfinite(m); }) ? 1 : 0;
+    clouds_.band = band;
+    if (clouds_.in_band == 0) {
+        const HeightBand heights = heights_of(*reading, *robot_from_laser);
+        clouds_.heights = clouds_.read == 1 ? heights
+                                            : HeightBand{std::min(clouds_.heights.min_m, heights.min_m),
+                                                         std::max(clouds_.heights.max_m, heights.max_m)};
+    }
     wait(std::move(frame));
 }
 

@@ -71,6 +71,14 @@ private:
         double farthest_s = 0.0;
     };
 
+    /// What the clouds hold.
+    struct Clouds {
+        std::size_t read = 0;
+        std::size_t in_band = 0;  ///< of these, with a point in the band of heights
+        HeightBand band;          ///< of the last one
+        HeightBand heights;       ///< in which the points are, until one is in the band
+    };
+
     /// For a rehearsal.
     MessageLogStream(LogPlan plan, std::unique_ptr<MessageSource> source, std::string file);
 
@@ -138,8 +146,7 @@ private:
     PoseTrack ground_truth_;
     std::shared_ptr<ScanTruth> truth_;
     bool ended_ = false;
-    std::size_t clouds_ = 0;          ///< that were read
-    std::size_t clouds_in_band_ = 0;  ///< of these, with a point in the band of heights
+    Clouds clouds_;
 };
 
 }  // namespace ddtool

@@ -112,6 +112,17 @@ NoReturns named_no_returns(const std::vector<double>& values_m) {
     return named;
 }
 
+std::vector<std::string> RangePiles::never_read(const std::vector<double>& values_m) const {
+    std::vector<std::string> lines;
+    for (const double value_m : values_m) {
+        if (value_m > 0.0 && !piles_.contains(millimetres(static_cast<float>(value_m)))) {
+            lines.push_back("--no-return " + fixed_text(value_m, 3) +
+                            " has no effect: none of the scans looked at has this reading");
+        }
+    }
+    return lines;
+}
+
 void RangePiles::add(const LaserScan& scan) {
     if (!arrive(scan) && scans_ >= scans_without_motion) {
         return;

@@ -55,6 +55,8 @@ public:
     /// \param standing_too whether the largest reading, with those within 5 cm, may be a code even if the robot has
     /// always stood at one place
     [[nodiscard]] NoReturns find(bool standing_too) const;
+    /// One line for each of these values that is positive and was never read: as a code it changes nothing.
+    [[nodiscard]] std::vector<std::string> never_read(const std::vector<double>& values_m) const;
 
 private:
     static constexpr std::size_t quantiles = 16;

@@ -45,7 +45,9 @@ void TrackSurvey::add(const PoseReading& reading, std::int64_t recorded_ns) {
     }
     last_ns_ = reading.stamp_ns;
     first_ = first_.value_or(reading.frame_from_child);
-    heading_.add(reading.stamp_ns, to_pose2(reading.frame_from_child).theta_rad);
+    const Pose2 pose = to_pose2(reading.frame_from_child);
+    heading_.add(reading.stamp_ns, pose.theta_rad);
+    way_.add({reading.stamp_ns, pose});
     const Pose2 moved = to_pose2(first_->inverse() * reading.frame_from_child);
     moves_ = moves_ || std::hypot(moved.x_m, moved.y_m) > moved_m || std::abs(moved.theta_rad) > moved_rad;
 }

@@ -10,6 +10,7 @@
 #include "logs/stream/interleaved_paths.hpp"
 #include "logs/stream/stamp_survey.hpp"
 #include "logs/stream/turn_lag.hpp"
+#include "logs/stream/way_scale.hpp"
 
 namespace ddtool {
 
@@ -27,6 +28,7 @@ public:
     /// Of the readings that have a stamp.
     [[nodiscard]] const ClockLag& clock() const { return clock_; }
     [[nodiscard]] const HeadingTrack& heading() const { return heading_; }
+    [[nodiscard]] const WayTrack& way() const { return way_; }
     /// The median time between the first thousand readings; 0 if there are fewer than two.
     [[nodiscard]] double usual_interval_s() const;
     /// The paths of several publishers whose readings are interleaved, by their number in InterleavedPaths; empty where
@@ -46,6 +48,7 @@ private:
     std::vector<TrackSurvey> paths_;
     ClockLag clock_;
     HeadingTrack heading_;
+    WayTrack way_;
     std::optional<std::int64_t> last_ns_;
     std::vector<double> intervals_s_;  ///< the first ones
     StampSurvey stamps_;

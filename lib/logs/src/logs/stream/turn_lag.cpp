@@ -145,7 +145,7 @@ private:
 }  // namespace
 
 void ScanTurns::add(const LaserScan& scan) {
-    if (pairs_.size() >= most_pairs || compared_ >= most_compared) {
+    if (is_full()) {
         return;
     }
     if (before_) {

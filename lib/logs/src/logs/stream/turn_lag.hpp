@@ -27,6 +27,7 @@ public:
     /// \param scan ranges as logged
     void add(const LaserScan& scan);
     [[nodiscard]] const std::vector<Pair>& pairs() const { return pairs_; }
+    [[nodiscard]] bool is_full() const { return pairs_.size() >= most_pairs || compared_ >= most_compared; }
 
 private:
     std::optional<LaserScan> before_;
