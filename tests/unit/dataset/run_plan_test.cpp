@@ -84,6 +84,7 @@ TEST(PlanRuns, IdsAreThoseOfTheVersionsBefore) {
                           {"odometry", {"good", "poor"}},
                           {"update_distances", Json::array({Json::array({0.5, 0.3})})}}},
                         {"most_particle_updates", 60},
+                        {"filter", {{"method", "anti-degeneracy"}}},
                         {"simulation", {{"lidar", {{"beams", 60}, {"rate_hz", 2.0}}}}}};
     EXPECT_EQ(ids_of(planned(settings)), (std::set<std::string>{"06ed51f0289efcf3", "aeaa0d8ece8d61e2"}))
         << "an id decides which snapshots are kept, so that another id is another data set";
@@ -99,6 +100,17 @@ TEST(PlanRuns, UpdateDistancesAreThoseOfTheMethodsFilter) {
     }
     const RunPlan plain = planned({{"worlds", {"s1"}}, {"filter", {{"method", "gmapping"}}}});
     EXPECT_EQ(plain.runs.front().entry.update_distance_m, GmappingSettings{}.update_distance_m);
+}
+
+TEST(PlanRuns, TakesThePlainFilterUnlessToldOtherwise) {
+    EXPECT_EQ(planned({{"worlds", {"s1"}}}).runs.front().entry.method, "rbpf");
+    Json file = default_build_json();
+    for (const char* name : {"default", "small", "label-noise"}) {
+        merge_settings_file(file, std::string(DDTOOL_SOURCE_DIR) + "/configs/dataset/" + name + ".json");
+        for (const PlannedRun& run : plan_runs(file).runs) {
+            EXPECT_EQ(run.entry.method, "rbpf") << name;
+        }
+    }
 }
 
 TEST(PlanRuns, EqualRunsAreOne) { EXPECT_EQ(planned({{"worlds", {"s1", "s1"}}}).runs.size(), 1U); }
