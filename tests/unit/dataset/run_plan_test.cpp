@@ -104,8 +104,8 @@ TEST(PlanRuns, UpdateDistancesAreThoseOfTheMethodsFilter) {
 
 TEST(PlanRuns, TakesThePlainFilterUnlessToldOtherwise) {
     EXPECT_EQ(planned({{"worlds", {"s1"}}}).runs.front().entry.method, "rbpf");
-    Json file = default_build_json();
     for (const char* name : {"default", "small", "label-noise"}) {
+        Json file = default_build_json();
         merge_settings_file(file, std::string(DDTOOL_SOURCE_DIR) + "/configs/dataset/" + name + ".json");
         for (const PlannedRun& run : plan_runs(file).runs) {
             EXPECT_EQ(run.entry.method, "rbpf") << name;

@@ -15,16 +15,19 @@ using dataset::Part;
 constexpr Task on_test{.label = dataset::LabelRule::dispersion, .split = dataset::Split::paper};
 constexpr std::size_t moments_of_run = 12;
 
-/// A swarm of two particles, which lie the farther apart the larger `width` is.
-std::vector<SnapshotParticle> pair_of(double width) {
-    std::vector<SnapshotParticle> swarm(2);
-    swarm[1].pose.x_m = width;
+/// Particles in a row of that length, whose images differ the more the lengths do.
+std::vector<SnapshotParticle> row_of(double length_m) {
+    constexpr double step_m = 0.05;
+    std::vector<SnapshotParticle> swarm(static_cast<std::size_t>(length_m / step_m) + 1);
+    for (std::size_t index = 0; index < swarm.size(); ++index) {
+        swarm[index].pose.x_m = step_m * static_cast<double>(index);
+    }
     return swarm;
 }
 
 /// Two runs in which narrow and wide swarms alternate. In the run 0 the wide ones are degenerate; in the run 1 the
-/// narrow ones, unless the runs agree. The width grows a little with time, so that the nearest image is one of the same
-/// run. Every third sample is for the test.
+/// narrow ones, unless the runs agree. The swarms of the run 1 are a little wider, so that the nearest image is one of
+/// the same run. Every third sample is for the test.
 class TwoRuns {
 public:
     explicit TwoRuns(bool agree) {
@@ -37,11 +40,11 @@ public:
                 dataset::SampleRecord record;
                 record.run = run;
                 record.stamp_ns = static_cast<std::int64_t>(moment);
-                record.particle_count = 2;
                 record.label[0] = wide == (agree || run == 0) ? Label::degenerate : Label::not_degenerate;
                 record.part[0][index_of(dataset::Split::paper)] = moment % 3 == 0 ? Part::test : Part::train;
+                swarms.push_back(row_of((wide ? 4.0 : 1.0) + (run == 0 ? 0.0 : 0.5)));
+                record.particle_count = static_cast<std::uint32_t>(swarms.back().size());
                 records.push_back(record);
-                swarms.push_back(pair_of((wide ? 4.0 : 1.0) + (run == 0 ? 0.0 : 0.5)));
             }
         }
         manifest.shards.push_back(dataset::write_shard(root_, "shard-0000", records, [&](std::size_t sample) {
