@@ -62,9 +62,10 @@ ExitCode run_ablation(const train::Engine& engine, const std::string& plan_name,
                       const std::filesystem::path& data, const std::filesystem::path& folder,
                       const ablation::Machine& machine, bool as_json) {
     const ablation::ModelStore store(engine, data, folder / "models", machine);
+    const std::vector<judge::Evaluation> rules = run_rules(plan, store.data());
     const std::vector<ablation::RowResult> rows = run_rows(plan, store);
     const std::vector<ablation::TimingResult> timings = run_timings(plan, rows, store.data(), engine);
-    const Table accuracy = accuracy_table(plan, rows);
+    const Table accuracy = accuracy_table(plan, rows, rules);
     const Table times = timing_table(plan, timings);
     const Json json{{"plan", plan_name}, {"rows", accuracy.json()}, {"times", times.json()}};
     write_file(folder / "ablation.json", json.dump(2) + "\n");

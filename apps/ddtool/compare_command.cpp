@@ -72,7 +72,10 @@ ExitCode run_comparison(const CompareRequest& request, const Json& settings) {
     if (request.as_json) {
         std::cout << compare::results_json(experiment, cells, results).dump(2) << '\n';
     } else {
-        std::cout << compare::overview_table(experiment, compare::summaries_of(experiment, cells, results)).text();
+        const std::vector<compare::Summary> summaries = compare::summaries_of(experiment, cells, results);
+        const Table paper = compare::paper_table(experiment, summaries);
+        std::cout << compare::overview_table(experiment, summaries).text()
+                  << (paper.empty() ? "" : "\n" + paper.text());
     }
     warn_of_other_builds(results);
     log_info(std::to_string(computed) + " of " + std::to_string(cells.size()) + " runs computed, " +

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <iostream>
 #include <map>
@@ -14,6 +15,7 @@
 #include "study/judge/evaluation_page.hpp"
 #include "study/judge/label_noise.hpp"
 #include "study/judge/model_scorer.hpp"
+#include "study/judge/nearest_neighbour.hpp"
 #include "study/judge/pictures.hpp"
 #include "study/judge/simple_rules.hpp"
 #include "study/judge/tables.hpp"
@@ -38,6 +40,7 @@ struct EvalRequest {
     std::string ablation;
     std::string recipe = train::best_recipe_name;
     bool label_noise = false;
+    bool nearest_neighbour = false;
     bool as_json = false;
 };
 
@@ -135,13 +138,21 @@ void tell_of_assumed(const EvalRequest& request, const std::vector<std::string>&
     }
 }
 
+void print(const Table& table, bool as_json) { std::cout << (as_json ? table.json().dump(2) + "\n" : table.text()); }
+
 void print_label_noise(const EvalRequest& request, const dataset::Dataset& data) {
     const Table table = judge::label_noise_table(data);
     if (table.empty()) {
         throw Error(request.data +
                     ": no two of its runs differ in their seeds alone, as in configs/dataset/label-noise.json");
     }
-    std::cout << (request.as_json ? table.json().dump(2) + "\n" : table.text());
+    print(table, request.as_json);
+}
+
+/// The images as the networks of the recipe see them.
+ImageSettings image_of(const std::string& recipe) {
+    const auto found = std::ranges::find(train::recipes(), recipe, &train::Recipe::name);
+    return found->training.at("image").get<ImageSettings>();
 }
 
 ExitCode evaluate(const EvalRequest& request, const Json& settings) {
@@ -155,6 +166,10 @@ ExitCode evaluate(const EvalRequest& request, const Json& settings) {
     tell_of_assumed(request, models);
     if (request.label_noise) {
         print_label_noise(request, data);
+        return ExitCode::done;
+    }
+    if (request.nearest_neighbour) {
+        print(judge::nearest_neighbour_table(data, image_of(request.recipe), task), request.as_json);
         return ExitCode::done;
     }
     for (judge::Detector& rule : rules_fitted_on(request.fit.empty() ? request.data : request.fit, task)) {
@@ -231,6 +246,9 @@ Command eval_command() {
                  .excludes = "--model"},
                 {"--label-noise", &request->label_noise,
                  "Instead: how often labels differ between runs of the data set that differ in their seeds alone"},
+                {"--nearest-neighbour", &request->nearest_neighbour,
+                 "Instead: how often the label is that of the nearest training image, among all of them and without "
+                 "those of the sample's own run. The images are those of the recipe"},
                 {"--out", &request->out,
                  "Folder for eval.json, report.html and pictures; if not given, a new one: 'eval', or 'ablation'",
                  "DIR"},

@@ -78,7 +78,9 @@ inline std::vector<network::NamedTensor> drawn_dd_weights(const network::DDModel
     }
     weights.add_linear("embedding", table.encoder.width, channels);
     weights.add("position", {network::token_count(table, size_px), table.encoder.width}, 0.0, 0.5);
-    weights.add_encoder(table.encoder);
+    if (table.encoder.has_layer) {
+        weights.add_encoder(table.encoder);
+    }
     weights.add_layer_norm("norm", table.encoder.width);
     weights.add_linear("head", 2, table.encoder.width);
     return weights.tensors;

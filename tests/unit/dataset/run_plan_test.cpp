@@ -103,6 +103,17 @@ TEST(PlanRuns, UpdateDistancesAreThoseOfTheMethodsFilter) {
     EXPECT_EQ(plain.runs.front().entry.update_distance_m, GmappingSettings{}.update_distance_m);
 }
 
+TEST(PlanRuns, TakesThePlainFilterUnlessToldOtherwise) {
+    EXPECT_EQ(planned({{"worlds", {"s1"}}}).runs.front().entry.method, "rbpf");
+    for (const char* name : {"default", "small", "label-noise"}) {
+        Json file = default_build_json();
+        merge_settings_file(file, std::string(DDTOOL_SOURCE_DIR) + "/configs/dataset/" + name + ".json");
+        for (const PlannedRun& run : plan_runs(file).runs) {
+            EXPECT_EQ(run.entry.method, "rbpf") << name;
+        }
+    }
+}
+
 TEST(PlanRuns, EqualRunsAreOne) { EXPECT_EQ(planned({{"worlds", {"s1", "s1"}}}).runs.size(), 1U); }
 
 TEST(PlanRuns, ATexturedWorldIsTheSceneOfThePlainOne) {

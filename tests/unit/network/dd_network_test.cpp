@@ -57,7 +57,8 @@ naive::Values naive_logits(const naive::Tensors& tensors, const network::DDModel
     }
     const auto width = static_cast<std::size_t>(table.encoder.width);
     tokens = naive::sum(naive::linear(tensors, "embedding", tokens, map.channels), naive::tensor(tensors, "position"));
-    tokens = naive::layer_norm(tensors, "norm", naive_encoder(tensors, table.encoder, tokens));
+    tokens = naive::layer_norm(tensors, "norm",
+                               table.encoder.has_layer ? naive_encoder(tensors, table.encoder, tokens) : tokens);
     naive::Values mean(width);
     for (std::size_t index = 0; index < tokens.size(); ++index) {
         mean[index % width] += tokens[index] / static_cast<double>(count);
@@ -92,6 +93,8 @@ TEST(DDNetwork, IsThatOfItsDefinition) {
     expect_naive_logits(tiny_table(), 26);
     expect_naive_logits(network::ddmodel_lite_table(), 64);
     expect_naive_logits(network::ddmodel_table(), 24);
+    expect_naive_logits(*network::find_ddmodel_table("ddmodel-lite-deep"), 64);
+    expect_naive_logits(*network::find_ddmodel_table("ddmodel-lite-no-transformer"), 64);
 }
 
 }  // namespace

@@ -24,7 +24,8 @@ protected:
 };
 
 TEST(NetworkTable, NamesWhatThereIs) {
-    EXPECT_THAT(network_names(), ElementsAre("ddmodel", "ddmodel-lite", "mobilenetv3"));
+    EXPECT_THAT(network_names(), ElementsAre("ddmodel", "ddmodel-lite", "ddmodel-deep", "ddmodel-lite-deep",
+                                             "ddmodel-no-transformer", "ddmodel-lite-no-transformer", "mobilenetv3"));
     EXPECT_THAT(test::thrown_text<UsageError>([] { make_network("resnet", 224); }), HasSubstr("ddmodel-lite"));
 }
 

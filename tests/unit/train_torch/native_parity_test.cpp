@@ -40,11 +40,13 @@ TEST_P(NativeModel, AgreesWithTheNetworkInLibTorch) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Networks, NativeModel, testing::Values("ddmodel", "ddmodel-lite"), [](const auto& info) {
-    std::string name = info.param;
-    std::erase(name, '-');
-    return name;
-});
+INSTANTIATE_TEST_SUITE_P(Networks, NativeModel,
+                         testing::Values("ddmodel", "ddmodel-lite", "ddmodel-lite-deep", "ddmodel-lite-no-transformer"),
+                         [](const auto& info) {
+                             std::string name = info.param;
+                             std::erase(name, '-');
+                             return name;
+                         });
 
 }  // namespace
 }  // namespace ddtool::train_torch

@@ -110,6 +110,8 @@ Json default_build_json() {
         {"simulation", sim::common_simulation_json()},
         {"filter", common_filter_json()},
     };
+    // A method that acts on its detector's degree would make swarms that depend on the detector that learns from them.
+    settings["filter"]["method"] = "rbpf";
     settings.update(assembly_rows().json({}));
     settings["image"] = ImageSettings{};
     return settings;

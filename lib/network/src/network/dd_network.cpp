@@ -25,6 +25,13 @@ AffineLayer embedding_of(NamedWeights& weights, const MapShape& map, std::size_t
 
 std::size_t tokens_in(const MapShape& map) { return map.side * map.side; }
 
+std::optional<EncoderLayer> encoder_of(NamedWeights& weights, const EncoderRow& row, std::size_t tokens) {
+    if (!row.has_layer) {
+        return std::nullopt;
+    }
+    return EncoderLayer(weights, row, tokens);
+}
+
 }  // namespace
 
 DDNetwork::DDNetwork(NamedWeights& weights, const DDModelTable& table, std::size_t size_px)
@@ -34,7 +41,7 @@ DDNetwork::DDNetwork(NamedWeights& weights, const DDModelTable& table, std::size
       stem_(weights, table.stem, size_px),
       blocks_(blocks_of(weights, table, stem_.out_shape())),
       embedding_(embedding_of(weights, blocks_.back().out_shape(), static_cast<std::size_t>(table.encoder.width))),
-      encoder_(weights, table.encoder, tokens_in(blocks_.back().out_shape())),
+      encoder_(encoder_of(weights, table.encoder, tokens_in(blocks_.back().out_shape()))),
       norm_(weights, "norm", tokens_in(blocks_.back().out_shape()), static_cast<std::size_t>(table.encoder.width)),
       head_weight_(weights.take("head.weight", {2, static_cast<std::size_t>(table.encoder.width)})),
       head_bias_(weights.take("head.bias", {2})),
@@ -45,7 +52,8 @@ std::array<double, 2> DDNetwork::run(std::span<const float> image) {
     for (BasicBlock& block : blocks_) {
         map = block.run(map);
     }
-    const float* const tokens = norm_.run(encoder_.run(embedding_.run(map, position_.data())));
+    const float* const embedded = embedding_.run(map, position_.data());
+    const float* const tokens = norm_.run(encoder_ ? encoder_->run(embedded) : embedded);
     const std::size_t width = mean_.size();
     const std::size_t count = position_.size() / width;
     std::fill(mean_.begin(), mean_.end(), 0.0);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -27,7 +28,7 @@ private:
     Stem stem_;
     std::vector<BasicBlock> blocks_;
     AffineLayer embedding_;
-    EncoderLayer encoder_;
+    std::optional<EncoderLayer> encoder_;  ///< empty: a network without the transformer
     LayerNorm norm_;
     std::vector<float> head_weight_;
     std::vector<float> head_bias_;

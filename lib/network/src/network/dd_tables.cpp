@@ -1,6 +1,24 @@
 #include "network/dd_tables.hpp"
 
+#include <algorithm>
+
 namespace ddtool::network {
+namespace {
+
+/// Two BasicBlocks in each group, as in ResNet-18 (He et al. 2016, table 1).
+DDModelTable deep(DDModelTable table) {
+    for (GroupRow& group : table.groups) {
+        group.blocks = 2;
+    }
+    return table;
+}
+
+DDModelTable without_transformer(DDModelTable table) {
+    table.encoder.has_layer = false;
+    return table;
+}
+
+}  // namespace
 
 const DDModelTable& ddmodel_table() {
     static const DDModelTable table{
@@ -25,11 +43,21 @@ const DDModelTable& ddmodel_lite_table() {
     return table;
 }
 
+const std::vector<NamedDDModel>& named_ddmodels() {
+    static const std::vector<NamedDDModel> all{
+        {"ddmodel", ddmodel_table()},
+        {"ddmodel-lite", ddmodel_lite_table()},
+        {"ddmodel-deep", deep(ddmodel_table())},
+        {"ddmodel-lite-deep", deep(ddmodel_lite_table())},
+        {"ddmodel-no-transformer", without_transformer(ddmodel_table())},
+        {"ddmodel-lite-no-transformer", without_transformer(ddmodel_lite_table())},
+    };
+    return all;
+}
+
 const DDModelTable* find_ddmodel_table(const std::string& network) {
-    if (network == "ddmodel") {
-        return &ddmodel_table();
-    }
-    return network == "ddmodel-lite" ? &ddmodel_lite_table() : nullptr;
+    const auto found = std::ranges::find(named_ddmodels(), network, &NamedDDModel::name);
+    return found == named_ddmodels().end() ? nullptr : &found->table;
 }
 
 std::int64_t token_count(const DDModelTable& table, std::int64_t size_px) {

@@ -20,11 +20,12 @@ struct GroupRow {
     std::int64_t stride = 0;  ///< of the first block
 };
 
-/// The neck: one layer of a transformer encoder.
+/// The neck: one layer of a transformer encoder, or none, so that the tokens go on as they are.
 struct EncoderRow {
     std::int64_t width = 0;         ///< of a token
     std::int64_t heads = 0;         ///< divides the width
     std::int64_t feed_forward = 0;  ///< width of its hidden layer
+    bool has_layer = true;          ///< false: tokens do not see each other
 };
 
 /// A network of the DD-Model's kind: residual backbone, transformer neck and two-way head (paper, section "Degeneracy
@@ -39,7 +40,15 @@ struct DDModelTable {
 const DDModelTable& ddmodel_table();
 /// A smaller version of it for a robot's processor.
 const DDModelTable& ddmodel_lite_table();
-/// The table of "ddmodel" or "ddmodel-lite"; null for another network.
+/// A network that can be trained, by its name.
+struct NamedDDModel {
+    std::string name;
+    DDModelTable table;
+};
+/// Both networks and, for the ablation, each of them with two BasicBlocks in each group ("-deep") and without the
+/// transformer ("-no-transformer").
+const std::vector<NamedDDModel>& named_ddmodels();
+/// The table of one of them; null for another network.
 const DDModelTable* find_ddmodel_table(const std::string& network);
 
 /// Side of the map that a padded convolution or pooling with an odd kernel makes from a map of side side_px.

@@ -44,7 +44,8 @@ private:
 const network::DDModelTable& table_of(const std::string& network) {
     const network::DDModelTable* const table = network::find_ddmodel_table(network);
     if (table == nullptr) {
-        throw Error("holds the network " + network + "; only ddmodel and ddmodel-lite run without LibTorch");
+        throw Error("holds the network " + network +
+                    "; only ddmodel, ddmodel-lite and their variants run without LibTorch");
     }
     return *table;
 }

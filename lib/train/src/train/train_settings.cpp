@@ -44,8 +44,8 @@ const SettingTable<OptimizerSettings>& optimizer_rows() {
 const SettingTable<TrainSettings>& train_rows() {
     using Train = TrainSettings;
     static const SettingTable<Train> rows{
-        {"model", &Train::model, Allowed::text(), "", "The network: ddmodel, ddmodel-lite or mobilenetv3.",
-         "docs/models.md"},
+        {"model", &Train::model, Allowed::text(), "",
+         "The network: ddmodel, ddmodel-lite, a variant of them, or mobilenetv3.", "docs/models.md"},
         {"label", &Train::label, word_of(dataset::label_rule_names), "", "What the network learns to tell.",
          "docs/labels.md"},
         {"split", &Train::split, word_of(dataset::split_names), "",

@@ -34,7 +34,7 @@ protected:
 };
 
 TEST_F(TablesTest, ARowThatFailsSaysSoAndStopsNoOther) {
-    const Json rows = accuracy_table(plan_, run_rows(plan_, store_)).json();
+    const Json rows = accuracy_table(plan_, run_rows(plan_, store_), {}).json();
     EXPECT_EQ(rows[0].at("note"), "no such network");
     EXPECT_EQ(rows[0].at("seeds"), 0);
     EXPECT_TRUE(std::isnan(rows[0].at("accuracy").get<double>()));
@@ -60,7 +60,20 @@ TEST_F(TablesTest, WhatIsThereIsNotTrainedAgain) {
     EXPECT_EQ(engine_.trainings, 4U) << "two rows, two seeds";
     const auto again = run_rows(plan_, store_);
     EXPECT_EQ(engine_.trainings, 6U) << "the broken row is tried again";
-    EXPECT_EQ(accuracy_table(plan_, first).csv(), accuracy_table(plan_, again).csv());
+    EXPECT_EQ(accuracy_table(plan_, first, {}).csv(), accuracy_table(plan_, again, {}).csv());
+}
+
+TEST_F(TablesTest, RulesStandBelowTheTrainings) {
+    plan_.rules = {{"spread", "step", {.accuracy = 0.7}}};
+    const std::vector<RowResult> none(plan_.rows.size());
+    const Json rows = accuracy_table(plan_, none, run_rules(plan_, store_.data())).json();
+    ASSERT_EQ(rows.size(), 3U);
+    EXPECT_EQ(rows[2].at("row"), "spread");
+    EXPECT_EQ(rows[2].at("swarm"), "step");
+    EXPECT_EQ(rows[2].at("accuracy"), 1.0) << "what KnownDataset is made for";
+    EXPECT_EQ(rows[2].at("paper accuracy"), 0.7);
+    plan_.rules = {{"spread", "of butter", {}}};
+    EXPECT_THROW((void)run_rules(plan_, store_.data()), UsageError);
 }
 
 TEST_F(TablesTest, AStopEndsItAll) {

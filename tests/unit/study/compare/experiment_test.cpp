@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include <cmath>
 #include <set>
 
 #include "temporary_folder.hpp"
@@ -121,6 +122,21 @@ TEST_F(ExperimentTest, RefusesWhatMakesNoSense) {
     EXPECT_THAT(refusal("/seeds/count", 0U), HasSubstr("seeds.count"));
     EXPECT_THAT(refusal("/seeds/count", std::uint64_t{1} << 60U), HasSubstr("seeds.count"));
     EXPECT_THAT(refusal("/simulation/lidar/preset", "none"), HasSubstr("none"));
+}
+
+TEST_F(ExperimentTest, TakesPrintedErrorsOfItsOwnWorldsAndNamesMistakes) {
+    settings_["paper"] = Json::parse(R"([{"world": "tiny", "errors_m": {"filter": [3, 2, 1], "peer": null}},
+                                         {"world": "s9", "errors_m": {"filter": [3, 2, 1]}}])");
+    const std::vector<PrintedErrors> paper = experiment_from_json(settings_).paper;
+    ASSERT_EQ(paper.size(), 2U);
+    EXPECT_EQ(paper[0].errors_m[2], 1.0);
+    EXPECT_TRUE(std::isnan(paper[1].errors_m[0]));
+    settings_["paper"][1]["errors_m"]["filter"] = {1, 2};
+    EXPECT_THAT(thrown_text<UsageError>([&] { (void)experiment_from_json(settings_); }),
+                HasSubstr("paper[1].errors_m.filter: expected ATE, Error_x and Error_y"));
+    settings_["paper"] = {{{"wold", "s1"}}};
+    EXPECT_THAT(thrown_text<UsageError>([&] { (void)experiment_from_json(settings_); }),
+                HasSubstr("paper[0]: expected"));
 }
 
 }  // namespace

@@ -55,5 +55,16 @@ TEST_F(ExternalTrajectoriesTest, IsScoredAnewWhenItsFilesChange) {
     EXPECT_EQ(test::run_in(folder_ / "out", settings_).computed, 2U);
 }
 
+TEST_F(ExternalTrajectoriesTest, IsLeftOutIfItIsOptionalAndHasNoFile) {
+    settings_["methods"].back()["optional"] = true;
+    EXPECT_EQ(experiment_from_json(settings_).contestants.size(), 2U);
+    test::run_in(folder_ / "out", settings_);
+    settings_["methods"].back()["optional"] = false;
+    copy_filter_runs(1);
+    settings_["methods"].back()["optional"] = true;
+    ASSERT_EQ(experiment_from_json(settings_).contestants.size(), 3U);
+    EXPECT_EQ(main_summary(summaries(), 0, 2)->failed, 2U);
+}
+
 }  // namespace
 }  // namespace ddtool::compare

@@ -96,5 +96,24 @@ TEST(Summary, ShowsTheMiddleSeed) {
     EXPECT_EQ(median_seed(all.experiment, summaries_of(all), 0), 2U);
 }
 
+TEST(PaperTable, HasBothChangesAgainstTheBaselineAndTheMethodsOfThePaperAlone) {
+    Made all = made(3, [](std::size_t world, std::size_t method, std::size_t seed) {
+        return world == 1 && method == 1 && seed == 2 ? -1.0 : method == 1 ? 0.5 : 2.0;
+    });
+    EXPECT_TRUE(paper_table(all.experiment, summaries_of(all)).empty());
+    all.experiment.paper = {{"s1", "first", {1.0, 0.4, 0.3}}, {"s1", "second", {0.8, 0.2, 0.1}}, {"s1", "peer", {}}};
+    const Json rows = paper_table(all.experiment, summaries_of(all)).json();
+    ASSERT_EQ(rows.size(), 5U);
+    EXPECT_EQ(rows[0].at("paper ATE"), 1.0);
+    EXPECT_TRUE(std::isnan(rows[0].at("paper change [%]").get<double>()));
+    EXPECT_EQ(rows[1].at("ATE [m]"), 0.5);
+    EXPECT_EQ(rows[1].at("change of ATE [%]"), -75.0);
+    EXPECT_NEAR(rows[1].at("paper change [%]").get<double>(), -20.0, 1e-9);
+    EXPECT_EQ(rows[1].at("paper Error_y"), 0.1);
+    EXPECT_EQ(rows[2].at("method"), "peer");
+    EXPECT_TRUE(std::isnan(rows[2].at("ATE [m]").get<double>()));
+    EXPECT_EQ(rows[4].at("change of ATE [%]"), -75.0) << "of the seeds with which both have ended";
+}
+
 }  // namespace
 }  // namespace ddtool::compare

@@ -26,17 +26,28 @@ double figure(const Json& json, const std::string& where) {
     return json.is_null() ? not_printed : json.get<double>();
 }
 
+const Json no_printed_figures = {{"accuracy", nullptr}, {"f1", nullptr}};
+
+Printed printed_from(const Json& json, const std::string& where) {
+    return {figure(json.at("accuracy"), where + ".accuracy"), figure(json.at("f1"), where + ".f1")};
+}
+
 Row row_from(const Json& item, const Json& common, const std::string& where) {
-    Json known{{"name", ""}, {"train", common}, {"paper", {{"accuracy", nullptr}, {"f1", nullptr}}}};
+    Json known{{"name", ""}, {"train", common}, {"paper", no_printed_figures}};
     merge_settings(known, item, where);
     known["train"]["seed"] = 0U;
     Row row{known.at("name"), train::train_settings_from_json(known.at("train"), where + ".train"),
-            figure(known.at("paper").at("accuracy"), where + ".paper.accuracy"),
-            figure(known.at("paper").at("f1"), where + ".paper.f1")};
+            printed_from(known.at("paper"), where + ".paper")};
     if (row.name.empty()) {
         throw UsageError(where + ".name: expected a name");
     }
     return row;
+}
+
+RuleRow rule_from(const Json& item, const std::string& where) {
+    Json known{{"rule", ""}, {"swarm", ""}, {"paper", no_printed_figures}};
+    merge_settings(known, item, where);
+    return {known.at("rule"), known.at("swarm"), printed_from(known.at("paper"), where + ".paper")};
 }
 
 Timing timing_from(const Json& item, const std::vector<Row>& rows, const std::string& where) {
@@ -61,16 +72,14 @@ std::vector<Setting> plan_setting_list() {
         {"seeds", Allowed::other(), "", "Each row is trained once with each of these seeds: a list.", "", {}},
         {"train", {}, "", "", "", without(train::train_setting_list(), "seed")},
         {"rows", Allowed::other(), "", "The trainings, and what the paper prints for each.", "docs/evaluation.md", {}},
+        {"rules", Allowed::other(), "", "Simple rules beside the trainings.", "docs/evaluation.md", {}},
         {"timings", Allowed::other(), "", "The ways of running a network that are timed.", "docs/evaluation.md", {}},
         {"timed_samples", timed_samples, "", "Number of snapshots that a timing takes its median of.", "", {}}};
 }
 
 Json default_plan_json() {
-    return {{"seeds", {1U, 2U, 3U}},
-            {"train", default_training()},
-            {"rows", Json::array()},
-            {"timings", Json::array()},
-            {"timed_samples", 200U}};
+    return {{"seeds", {1U, 2U, 3U}},  {"train", default_training()}, {"rows", Json::array()},
+            {"rules", Json::array()}, {"timings", Json::array()},    {"timed_samples", 200U}};
 }
 
 Plan plan_from_json(const Json& json) {
@@ -80,6 +89,9 @@ Plan plan_from_json(const Json& json) {
     plan.timed_samples = json.at("timed_samples");
     for (const Json& item : json.at("rows")) {
         plan.rows.push_back(row_from(item, json.at("train"), place("rows", plan.rows.size())));
+    }
+    for (const Json& item : json.at("rules")) {
+        plan.rules.push_back(rule_from(item, place("rules", plan.rules.size())));
     }
     for (const Json& item : json.at("timings")) {
         plan.timings.push_back(timing_from(item, plan.rows, place("timings", plan.timings.size())));

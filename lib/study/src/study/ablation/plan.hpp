@@ -12,12 +12,25 @@ namespace ddtool::ablation {
 
 inline constexpr double not_printed = std::numeric_limits<double>::quiet_NaN();
 
-/// A row of the table: a training, and the figures that the paper prints for it.
+/// The figures that the paper prints for a row.
+struct Printed {
+    double accuracy = not_printed;
+    double f1 = not_printed;
+};
+
+/// A row of the table: a training.
 struct Row {
     std::string name;
     train::TrainSettings settings;  ///< without the seed
-    double paper_accuracy = not_printed;
-    double paper_f1 = not_printed;
+    Printed paper;
+};
+
+/// A row of the table that needs no training: one of the rules of judge::fitted_rules(), fitted and tested on the label
+/// and the split of the first training.
+struct RuleRow {
+    std::string rule;
+    std::string swarm;
+    Printed paper;
 };
 
 /// A way to run the network of a row, one image at a time.
@@ -31,6 +44,7 @@ struct Timing {
 struct Plan {
     std::vector<std::uint64_t> seeds;
     std::vector<Row> rows;
+    std::vector<RuleRow> rules;
     std::vector<Timing> timings;
     std::size_t timed_samples = 0;  ///< number of snapshots over which a timing takes its median
 };

@@ -7,6 +7,7 @@
 
 #include "ddtool/base/error.hpp"
 #include "study/ablation/inference_time.hpp"
+#include "study/judge/simple_rules.hpp"
 
 namespace ddtool::ablation {
 namespace {
@@ -62,6 +63,23 @@ TimingResult run_timing(const Timing& timing, const Plan& plan, const std::vecto
 }
 
 }  // namespace
+
+std::vector<judge::Evaluation> run_rules(const Plan& plan, const dataset::Dataset& data) {
+    const train::TrainSettings& settings = plan.rows.front().settings;
+    const judge::Task task{.label = train::label_rule_of(settings), .split = train::split_of(settings)};
+    const std::vector<judge::Detector> fitted = judge::fitted_rules(data, task.label, task.split);
+    std::vector<judge::Evaluation> results;
+    for (const RuleRow& row : plan.rules) {
+        const auto found = std::ranges::find_if(
+            fitted, [&](const judge::Detector& rule) { return rule.name == row.rule && rule.swarm == row.swarm; });
+        if (found == fitted.end()) {
+            throw UsageError("rules: no rule '" + row.rule + "' of the swarm '" + row.swarm +
+                             "'; docs/evaluation.md lists them");
+        }
+        results.push_back(judge::evaluate(data, *found, task));
+    }
+    return results;
+}
 
 std::vector<RowResult> run_rows(const Plan& plan, const ModelStore& store) {
     ThreadPool one(1);  // one training at a time, because each of them uses all cores

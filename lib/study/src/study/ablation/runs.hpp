@@ -20,6 +20,9 @@ struct TimingResult {
     std::string failure;
 };
 
+/// Fits and tests the rules. Throws UsageError for a rule that does not exist.
+std::vector<judge::Evaluation> run_rules(const Plan& plan, const dataset::Dataset& data);
+
 /// Trains the models that the store lacks, row by row, as jobs::run() does.
 std::vector<RowResult> run_rows(const Plan& plan, const ModelStore& store);
 

@@ -8,7 +8,8 @@
 namespace ddtool::ablation {
 
 /// Our figures beside the paper's.
-Table accuracy_table(const Plan& plan, const std::vector<RowResult>& results);
+Table accuracy_table(const Plan& plan, const std::vector<RowResult>& results,
+                     const std::vector<judge::Evaluation>& rules);
 Table timing_table(const Plan& plan, const std::vector<TimingResult>& results);
 
 }  // namespace ddtool::ablation

@@ -1,5 +1,8 @@
 #include "study/compare/contestant.hpp"
 
+#include <algorithm>
+#include <filesystem>
+
 #include "base/overloaded.hpp"
 #include "base/pattern.hpp"
 #include "ddtool/base/error.hpp"
@@ -67,7 +70,7 @@ Json defaults_of(const std::string& kind, const Json& filter, const std::string&
         return Json::object();
     }
     if (kind == external_kind) {
-        return {{"trajectories", ""}};
+        return {{"trajectories", ""}, {"optional", false}};
     }
     if (kind == known_map_kind) {
         return {{"odometry", "typical"}};
@@ -115,9 +118,18 @@ Contestant::Kind Contestant::kind_from(const Json& settings, const std::string& 
         if (trajectories.empty()) {
             throw UsageError(where + ": expected trajectories, the path of TUM files with {world} and {seed} in it");
         }
-        return External{trajectories};
+        return External{trajectories, settings.at("optional").get<bool>()};
     }
     return Odometry{};
+}
+
+bool Contestant::is_absent(const std::vector<std::string>& worlds, const std::vector<std::uint64_t>& seeds) const {
+    const auto* external = std::get_if<External>(&kind_);
+    return external != nullptr && external->optional && std::ranges::none_of(worlds, [&](const std::string& world) {
+               return std::ranges::any_of(seeds, [&](std::uint64_t seed) {
+                   return std::filesystem::exists(expand(external->trajectories, world, seed));
+               });
+           });
 }
 
 Json Contestant::identity(const std::string& world, std::uint64_t seed) const {

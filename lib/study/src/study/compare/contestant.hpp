@@ -4,6 +4,7 @@
 #include <memory>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "ddtool/methods/detector_table.hpp"
 #include "ddtool/methods/method.hpp"
@@ -36,6 +37,8 @@ public:
     Contestant(const Json& item, const Json& filter, const std::string& where, DetectorTable detectors);
 
     [[nodiscard]] const std::string& name() const { return name_; }
+    /// Whether it is optional and has no file for any of these worlds and seeds.
+    [[nodiscard]] bool is_absent(const std::vector<std::string>& worlds, const std::vector<std::uint64_t>& seeds) const;
     /// Returns everything that, together with the data, decides the trajectory.
     [[nodiscard]] Json identity(const std::string& world, std::uint64_t seed) const;
     /// Creates an estimator. truth: what the stream tells whose frames the estimator will receive
@@ -51,6 +54,7 @@ private:
     struct Odometry {};
     struct External {
         std::string trajectories;  ///< path of TUM files, with {world} and {seed} in it
+        bool optional = false;     ///< it may be left out where none of them is there
     };
     struct KnownMap {
         std::string odometry;  ///< name of an odometry preset of the simulator

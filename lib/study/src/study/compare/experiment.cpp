@@ -1,6 +1,7 @@
 #include "study/compare/experiment.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <set>
 
 #include "base/pattern.hpp"
@@ -8,6 +9,7 @@
 #include "methods/settings_json.hpp"
 #include "sim/simulation_json.hpp"
 #include "system/fingerprint.hpp"
+#include "system/log.hpp"
 #include "system/seed_range.hpp"
 
 namespace ddtool::compare {
@@ -37,6 +39,55 @@ std::vector<Entry> entries_from(const Json& settings, const std::string& list, c
         throw UsageError(list + ": expected one or more");
     }
     return entries;
+}
+
+void leave_out_absent(Experiment& experiment) {
+    std::vector<std::string> worlds;
+    for (const WorldEntry& world : experiment.worlds) {
+        worlds.push_back(world.name());
+    }
+    std::erase_if(experiment.contestants, [&](const Contestant& contestant) {
+        const bool absent = contestant.is_absent(worlds, experiment.seeds);
+        if (absent) {
+            log_info(contestant.name() + ": none of its trajectories is there, left out");
+        }
+        return absent;
+    });
+}
+
+std::array<double, 3> printed_errors(const Json& json, const std::string& where) {
+    std::array<double, 3> errors_m{};
+    errors_m.fill(std::numeric_limits<double>::quiet_NaN());
+    if (json.is_null()) {
+        return errors_m;
+    }
+    const auto is_number = [](const Json& each) { return each.is_number(); };
+    if (!json.is_array() || json.size() != errors_m.size() || !std::ranges::all_of(json, is_number)) {
+        throw UsageError(where + ": expected ATE, Error_x and Error_y in metres, or null, not " + json.dump());
+    }
+    return json.get<std::array<double, 3>>();
+}
+
+/// The printed errors of the experiment's own worlds, so that a part of its worlds can be run without the others.
+std::vector<PrintedErrors> paper_from(const Json& list, const std::vector<WorldEntry>& worlds) {
+    std::vector<PrintedErrors> paper;
+    for (std::size_t place = 0; place < list.size(); ++place) {
+        const std::string where = "paper[" + std::to_string(place) + "]";
+        const Json& item = list[place];
+        if (!item.is_object() || !item.contains("world") || !item.contains("errors_m") ||
+            !item.at("errors_m").is_object() || item.size() != 2) {
+            throw UsageError(where + R"(: expected {"world": NAME, "errors_m": {METHOD: [ATE, Error_x, Error_y]}})");
+        }
+        const std::string world = item.at("world");
+        const bool is_run = std::ranges::find(worlds, world, &WorldEntry::name) != worlds.end();
+        for (const auto& [method, errors] : item.at("errors_m").items()) {
+            const std::array<double, 3> errors_m = printed_errors(errors, where + ".errors_m." + method);
+            if (is_run) {
+                paper.push_back({world, method, errors_m});
+            }
+        }
+    }
+    return paper;
 }
 
 std::size_t baseline_from(const std::string& name, const std::vector<Contestant>& contestants) {
@@ -86,7 +137,13 @@ std::vector<Setting> experiment_setting_list() {
         {"seeds", {}, "", "", "", seed_range_setting_list()},
         {"simulation", {}, "", "", "", sim::common_simulation_setting_list()},
         {"filter", {}, "", "", "", without(filter_setting_list(), "seed")},
-        {"score", {}, "", "", "", score_rows().settings()}};
+        {"score", {}, "", "", "", score_rows().settings()},
+        {"paper",
+         Allowed::other(),
+         "",
+         "What a publication prints for methods in these worlds: a list of objects.",
+         "docs/compare.md",
+         {}}};
 }
 
 Json default_experiment_json() {
@@ -96,14 +153,18 @@ Json default_experiment_json() {
             {"seeds", {{"first", 1U}, {"count", 10U}}},
             {"simulation", sim::common_simulation_json()},
             {"filter", common_filter_json()},
-            {"score", score_rows().json({})}};
+            {"score", score_rows().json({})},
+            {"paper", Json::array()}};
 }
 
 Experiment experiment_from_json(const Json& settings, const DetectorTable& detectors) {
     Experiment experiment{.worlds = entries_from<WorldEntry>(settings, "worlds", "simulation"),
                           .contestants = entries_from<Contestant>(settings, "methods", "filter", detectors),
                           .seeds = seeds_from_json(settings.at("seeds"), "seeds"),
-                          .score = score_from(settings.at("score"))};
+                          .score = score_from(settings.at("score")),
+                          .paper = {}};
+    leave_out_absent(experiment);
+    experiment.paper = paper_from(settings.at("paper"), experiment.worlds);
     experiment.baseline = baseline_from(settings.at("baseline").get<std::string>(), experiment.contestants);
     return experiment;
 }

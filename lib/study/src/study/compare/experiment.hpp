@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -15,6 +16,13 @@
 
 namespace ddtool::compare {
 
+/// What a publication prints for a method in a world. Its methods need not be among the contestants.
+struct PrintedErrors {
+    std::string world;
+    std::string method;
+    std::array<double, 3> errors_m{};  ///< ATE, Error_x, Error_y; NaN where it prints a dash
+};
+
 /// Contestants x worlds x seeds.
 struct Experiment {
     std::vector<WorldEntry> worlds;
@@ -22,6 +30,7 @@ struct Experiment {
     std::vector<std::uint64_t> seeds;
     std::size_t baseline = 0;  ///< the contestant that the others are tested against
     AteOptions score;
+    std::vector<PrintedErrors> paper;  ///< for the experiment's worlds
 };
 
 /// The description of every setting of an experiment, in the order of the settings in JSON.
@@ -30,7 +39,8 @@ std::vector<Setting> experiment_setting_list();
 /// Every setting of an experiment with its default: the keys a configuration may have.
 Json default_experiment_json();
 
-/// detectors: the detectors that contestants may name. Throws UsageError that names the key if the settings make no
+/// detectors: the detectors that contestants may name. Optional contestants without any file are left out, of which an
+/// info tells. Throws UsageError that names the key if the settings make no
 /// sense: if there is nothing to compare, a name occurs twice, or a name is unknown.
 Experiment experiment_from_json(const Json& settings, const DetectorTable& detectors = {});
 

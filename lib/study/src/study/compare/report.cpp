@@ -35,6 +35,13 @@ std::string how_to_read(const Experiment& experiment) {
            "over all tests of the same error.";
 }
 
+std::string how_to_read_paper(const Experiment& experiment) {
+    return "Medians over the seeds, and what the paper prints for the method of that name. The change is that "
+           "against " +
+           experiment.contestants[experiment.baseline].name() +
+           " with the same seed, its median and quartiles over the seeds; the paper's is that of its figures.";
+}
+
 /// A warning if the experiment has too few seeds for any difference to be significant, otherwise an empty text. The
 /// smallest possible p-value of the signed-rank test with n seeds is 2^(1-n), and Holm's correction multiplies it by
 /// the number of tests.
@@ -63,6 +70,10 @@ std::vector<Section> sections_of(const Experiment& experiment, const std::vector
     const std::vector<Summary> summaries = summaries_of(experiment, cells, results);
     std::vector<Section> sections{
         {"Overview", {overview_table(experiment, summaries)}, {how_to_read(experiment), power_note(experiment)}, {}}};
+    const Table paper = paper_table(experiment, summaries);
+    if (!paper.empty()) {
+        sections.push_back({"Beside the paper", {paper}, {how_to_read_paper(experiment)}, {}});
+    }
     const Table failures = failure_table(experiment, cells, results);
     if (!failures.empty()) {
         sections.push_back({failures_heading(results), {failures}, {}, {}});
@@ -126,6 +137,7 @@ Json results_json(const Experiment& experiment, const std::vector<Cell>& cells,
     return {{"baseline", experiment.contestants[experiment.baseline].name()},
             {"seeds", experiment.seeds},
             {"rows", full_table(experiment, summaries_of(experiment, cells, results)).json()},
+            {"paper", paper_table(experiment, summaries_of(experiment, cells, results)).json()},
             {"failures", failure_table(experiment, cells, results).json()},
             {"programs", programs_of(results)}};
 }

@@ -14,8 +14,8 @@ struct Picture {
     std::string file;  ///< relative to the report
 };
 
-/// The results as JSON: {"baseline", "seeds", "rows": one for each metric, world and contestant; "failures",
-/// "programs": the builds of ddtool that computed the results}.
+/// The results as JSON: {"baseline", "seeds", "rows": one for each metric, world and contestant; "paper", as
+/// paper_table(), "failures", "programs": the builds of ddtool that computed the results}.
 Json results_json(const Experiment& experiment, const std::vector<Cell>& cells, const std::vector<CellResult>& results);
 
 /// Writes results.md, results.csv, results.json and report.html (docs/reports.md) into the folder. Returns whether

@@ -1,8 +1,11 @@
 #include "study/compare/result_tables.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <limits>
+#include <optional>
 
 namespace ddtool::compare {
 namespace {
@@ -42,6 +45,65 @@ void add_statistics(std::vector<Table::Cell>& row, const Summary& summary) {
     row.emplace_back(summary.against_baseline ? summary.against_baseline->median_difference : none);
     row.emplace_back(summary.against_baseline ? summary.against_baseline->p_value : none);
     row.emplace_back(summary.against_baseline ? summary.holm_p_value : none);
+}
+
+constexpr std::size_t printed_metrics = 3;
+constexpr double not_there = std::numeric_limits<double>::quiet_NaN();
+
+/// The summary of one metric, or null if no run of the world has it.
+const Summary* summary_of(const std::vector<Summary>& summaries, std::size_t world, std::size_t contestant,
+                          std::size_t metric) {
+    const auto found = std::ranges::find_if(summaries, [&](const Summary& each) {
+        return each.world == world && each.contestant == contestant && each.metric == metric;
+    });
+    return found == summaries.end() ? nullptr : &*found;
+}
+
+const PrintedErrors* printed_for(const Experiment& experiment, const std::string& world, const std::string& method) {
+    const auto found = std::ranges::find_if(
+        experiment.paper, [&](const PrintedErrors& each) { return each.world == world && each.method == method; });
+    return found == experiment.paper.end() ? nullptr : &*found;
+}
+
+double change_percent(double value, double baseline) { return 100.0 * (value / baseline - 1.0); }
+
+/// The changes against the baseline with the same seed, of those seeds with which both have ended.
+std::vector<double> changes_percent(const Summary& summary, const Summary& baseline) {
+    std::vector<double> changes;
+    for (std::size_t seed = 0; seed < summary.values.size(); ++seed) {
+        if (std::isfinite(summary.values[seed]) && std::isfinite(baseline.values[seed])) {
+            changes.push_back(change_percent(summary.values[seed], baseline.values[seed]));
+        }
+    }
+    return changes;
+}
+
+/// The cells of a row of paper_table(). contestant: none for a method that only the paper has.
+std::vector<Table::Cell> paper_row(const Experiment& experiment, const std::vector<Summary>& summaries,
+                                   std::size_t world, std::optional<std::size_t> contestant,
+                                   const std::string& method) {
+    const std::string& world_name = experiment.worlds[world].name();
+    const std::string& baseline_name = experiment.contestants[experiment.baseline].name();
+    const PrintedErrors* const printed = printed_for(experiment, world_name, method);
+    const PrintedErrors* const printed_baseline = printed_for(experiment, world_name, baseline_name);
+    std::vector<Table::Cell> row{world_name, method};
+    for (std::size_t metric = 0; metric < printed_metrics; ++metric) {
+        const Summary* const summary = contestant ? summary_of(summaries, world, *contestant, metric) : nullptr;
+        row.emplace_back(summary == nullptr ? not_there : median(summary->values));
+        row.emplace_back(printed == nullptr ? not_there : printed->errors_m[metric]);
+    }
+    const Summary* const ate = contestant ? summary_of(summaries, world, *contestant, 0) : nullptr;
+    const Summary* const baseline = summary_of(summaries, world, experiment.baseline, 0);
+    const std::vector<double> changes = ate == nullptr || baseline == nullptr || contestant == experiment.baseline
+                                            ? std::vector<double>{}
+                                            : changes_percent(*ate, *baseline);
+    for (const double share : {0.5, 0.25, 0.75}) {
+        row.emplace_back(quantile(changes, share));
+    }
+    row.emplace_back(printed == nullptr || printed_baseline == nullptr || method == baseline_name
+                         ? not_there
+                         : change_percent(printed->errors_m[0], printed_baseline->errors_m[0]));
+    return row;
 }
 
 Table with_statistics(std::vector<Table::Column> columns) {
@@ -93,6 +155,35 @@ Table full_table(const Experiment& experiment, const std::vector<Summary>& summa
                                      experiment.contestants[summary.contestant].name()};
         add_statistics(row, summary);
         table.add_row(row);
+    }
+    return table;
+}
+
+Table paper_table(const Experiment& experiment, const std::vector<Summary>& summaries) {
+    Table table({{"world"},
+                 {"method"},
+                 {"ATE [m]"},
+                 {"paper ATE"},
+                 {"Error_x [m]"},
+                 {"paper Error_x"},
+                 {"Error_y [m]"},
+                 {"paper Error_y"},
+                 {"change of ATE [%]", 1},
+                 {"quartile 1", 1},
+                 {"quartile 3", 1},
+                 {"paper change [%]", 1}});
+    for (std::size_t world = 0; world < experiment.worlds.size() && !experiment.paper.empty(); ++world) {
+        for (std::size_t contestant = 0; contestant < experiment.contestants.size(); ++contestant) {
+            table.add_row(
+                paper_row(experiment, summaries, world, contestant, experiment.contestants[contestant].name()));
+        }
+        for (const PrintedErrors& printed : experiment.paper) {
+            if (printed.world == experiment.worlds[world].name() &&
+                std::ranges::find(experiment.contestants, printed.method, &Contestant::name) ==
+                    experiment.contestants.end()) {
+                table.add_row(paper_row(experiment, summaries, world, std::nullopt, printed.method));
+            }
+        }
     }
     return table;
 }

@@ -80,7 +80,8 @@ DDModel::DDModel(const network::DDModelTable& table, std::int64_t size_px)
       embedding_(register_module("embedding", torch::nn::Linear(table.groups.back().channels, table.encoder.width))),
       position_(
           register_parameter("position", torch::empty({network::token_count(table, size_px), table.encoder.width}))),
-      encoder_(register_module("encoder", std::make_shared<EncoderLayer>(table.encoder))),
+      encoder_(table.encoder.has_layer ? register_module("encoder", std::make_shared<EncoderLayer>(table.encoder))
+                                       : nullptr),
       norm_(register_module("norm", torch::nn::LayerNorm(torch::nn::LayerNormOptions({table.encoder.width})))),
       head_(register_module("head", torch::nn::Linear(table.encoder.width, 2))) {
     draw_weights(*this);
@@ -99,7 +100,7 @@ torch::Tensor DDModel::features(const torch::Tensor& map) {
     // Under autocast the embedding is computed in bf16. The position is float32, and so is the sum, as layer_norm
     // requires.
     const torch::Tensor tokens = embedding_(map.flatten(2).transpose(1, 2)) + position_;
-    return norm_(encoder_->forward(tokens)).mean(1);
+    return norm_(encoder_ ? encoder_->forward(tokens) : tokens).mean(1);
 }
 
 }  // namespace ddtool::train_torch

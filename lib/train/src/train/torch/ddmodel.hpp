@@ -61,8 +61,8 @@ private:
     std::shared_ptr<ConvNorm> stem_;
     torch::nn::Sequential groups_;
     torch::nn::Linear embedding_;
-    torch::Tensor position_;  // [tokens, encoder width]
-    std::shared_ptr<EncoderLayer> encoder_;
+    torch::Tensor position_;                 // [tokens, encoder width]
+    std::shared_ptr<EncoderLayer> encoder_;  // null: a network without the transformer
     torch::nn::LayerNorm norm_;
     torch::nn::Linear head_;
 };

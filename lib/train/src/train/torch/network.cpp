@@ -1,7 +1,6 @@
 #include "train/torch/network.hpp"
 
 #include <algorithm>
-#include <array>
 #include <functional>
 
 #include "ddtool/base/error.hpp"
@@ -17,14 +16,20 @@ struct NetworkRow {
     std::function<std::shared_ptr<Network>(std::int64_t size_px)> make;
 };
 
-const std::array<NetworkRow, 3>& networks() {
-    static const std::array<NetworkRow, 3> table{{
-        {"ddmodel", [](std::int64_t size_px) { return std::make_shared<DDModel>(network::ddmodel_table(), size_px); }},
-        {"ddmodel-lite",
-         [](std::int64_t size_px) { return std::make_shared<DDModel>(network::ddmodel_lite_table(), size_px); }},
-        {"mobilenetv3", [](std::int64_t) { return std::make_shared<MobileNetV3>(); }},
-    }};
-    return table;
+std::vector<NetworkRow> all_networks() {
+    std::vector<NetworkRow> rows;
+    for (const network::NamedDDModel& each : network::named_ddmodels()) {
+        rows.push_back({each.name, [&table = each.table](std::int64_t size_px) {
+                            return std::make_shared<DDModel>(table, size_px);
+                        }});
+    }
+    rows.push_back({"mobilenetv3", [](std::int64_t) { return std::make_shared<MobileNetV3>(); }});
+    return rows;
+}
+
+const std::vector<NetworkRow>& networks() {
+    static const std::vector<NetworkRow> rows = all_networks();
+    return rows;
 }
 
 }  // namespace
