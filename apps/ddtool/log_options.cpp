@@ -1,8 +1,11 @@
 #include "log_options.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <string_view>
 
+#include "base/text.hpp"
 #include "system/log.hpp"
 
 namespace ddtool {
@@ -159,6 +162,14 @@ const std::vector<Option>& log_option_list() {
     return options;
 }
 
+/// Throws UsageError for a yaw of more than a full turn, which is one in degrees.
+void expect_yaw_in_radians(const LogOptions& options) {
+    if (options.laser_pose && std::abs(options.laser_pose->theta_rad) > 2.0 * std::numbers::pi) {
+        throw UsageError("--laser-pose: expected a yaw in radians, at most a full turn (6.28), not " +
+                         fixed_text(options.laser_pose->theta_rad, 2) + "; is it in degrees?");
+    }
+}
+
 /// Throws UsageError if one option leaves out what another asks for.
 void expect_no_contradiction(const LogOptions& options) {
     if (options.with_odometry) {
@@ -231,6 +242,7 @@ LogOptions log_options(const Json& log_settings) {
     if (options.height && !(options.height->min_m < options.height->max_m)) {
         throw UsageError("log.height: expected the lower height first, and a higher one behind it");
     }
+    expect_yaw_in_radians(options);
     expect_no_contradiction(options);
     return options;
 }

@@ -17,6 +17,15 @@ namespace {
 constexpr std::uint64_t step_bytes = std::uint64_t{1} << 20;
 
 std::unique_ptr<std::istream> open_stream(const std::filesystem::path& path) {
+    std::error_code unknown;
+    const std::filesystem::file_type type = std::filesystem::status(path, unknown).type();
+    // A log is opened more than once, and to open a pipe waits for who writes into it.
+    if (type == std::filesystem::file_type::fifo || type == std::filesystem::file_type::character ||
+        type == std::filesystem::file_type::socket) {
+        throw Error(path.string() +
+                    ": cannot read: it is a pipe or a device, which can be read only once; a file was "
+                    "expected, or MCAP on standard input with --log -");
+    }
     errno = 0;
     auto stream = std::make_unique<std::ifstream>(path, std::ios::binary);
     if (!*stream) {
