@@ -245,9 +245,10 @@ void Rbpf::remember(const SensorFrame& frame, const Pose2& odometry_motion) {
 }
 
 ParticleSnapshot Rbpf::snapshot(const SensorFrame& frame, const Pose2& odometry_motion) const {
+    const double exponent = gain();
     std::vector<double> log_weights;
     for (const Particle& particle : particles_) {
-        log_weights.push_back(gain() * particle.log_likelihood);
+        log_weights.push_back(exponent * particle.log_likelihood);
     }
     const std::vector<double> weights = normalised_weights(log_weights);
     ParticleSnapshot swarm{

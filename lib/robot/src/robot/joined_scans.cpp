@@ -1,17 +1,12 @@
 #include "ddtool/robot/joined_scans.hpp"
+#include "robot/stamps.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 namespace ddtool {
-namespace {
-
-double seconds_from(std::int64_t from_ns, std::int64_t to_ns) {
-    return 1e-9 * (static_cast<double>(to_ns) - static_cast<double>(from_ns));
-}
-
-}  // namespace
+namespace {}  // namespace
 
 std::optional<SensorFrame> JoinedScans::next() {
     while (std::optional<SensorFrame> frame = source_.next()) {
@@ -24,7 +19,7 @@ std::optional<SensorFrame> JoinedScans::next() {
         frame->odom_step = std::exchange(step_, OdometryStep::measured);
         for (const auto& [lidar, other] : latest_) {
             if (lidar != frame->lidar &&
-                std::abs(seconds_from(other.scan.stamp_ns, frame->scan.stamp_ns)) <= oldest_s) {
+                std::abs(seconds_between(other.scan.stamp_ns, frame->scan.stamp_ns)) <= oldest_s) {
                 frame->joined.push_back(other);
             }
         }
@@ -38,7 +33,7 @@ bool JoinedScans::leads(const SensorFrame& frame) {
     if (!led_ns_) {
         led_ns_ = stamp_ns;
     }
-    if (frame.lidar == 0 || seconds_from(*led_ns_, stamp_ns) > silent_s) {
+    if (frame.lidar == 0 || seconds_between(*led_ns_, stamp_ns) > silent_s) {
         leader_ = frame.lidar;
     }
     if (frame.lidar != leader_) {

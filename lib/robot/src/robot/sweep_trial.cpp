@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "robot/scan_alignment.hpp"
+#include "robot/stamps.hpp"
 #include "robot/sweep.hpp"
 
 namespace ddtool {
@@ -36,9 +37,7 @@ void SweepTrial::add(const SensorFrame& frame, const std::vector<std::vector<Pos
     Scan scan;
     scan.stamp_ns = frame.scan.stamp_ns;
     scan.odom_from_robot = frame.odom_from_robot;
-    const auto since_s = [&](const Scan& other) {
-        return 1e-9 * (static_cast<double>(scan.stamp_ns) - static_cast<double>(other.stamp_ns));
-    };
+    const auto since_s = [&](const Scan& other) { return seconds_between(other.stamp_ns, scan.stamp_ns); };
     while (!latest_.empty() && !(std::abs(since_s(latest_.front())) < partner_within_s)) {
         latest_.pop_front();
     }

@@ -11,6 +11,7 @@
 #include "logs/stream/idle_options.hpp"
 #include "logs/stream/scan_angles.hpp"
 #include "logs/stream/scan_change.hpp"
+#include "robot/stamps.hpp"
 
 namespace ddtool {
 namespace {
@@ -155,8 +156,7 @@ void CarmenStream::time_beams(SensorFrame& frame, std::int64_t logged_ns) {
         }
         const SensorFrame& following = ahead_.front().frame;
         const Pose2& next = following.odom_from_robot;
-        const double until_next_s =
-            1e-9 * (static_cast<double>(following.scan.stamp_ns) - static_cast<double>(logged_ns));
+        const double until_next_s = seconds_between(logged_ns, following.scan.stamp_ns);
         const double speed = distance_m(frame.odom_from_robot, next) / until_next_s;
         const double turn_rate = std::abs(wrap_angle(next.theta_rad - frame.odom_from_robot.theta_rad)) / until_next_s;
         // In some logs two stamps are too near to each other for the way between them.

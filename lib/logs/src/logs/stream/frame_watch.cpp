@@ -4,9 +4,11 @@
 #include <cmath>
 #include <utility>
 
+#include "base/median.hpp"
 #include "base/text.hpp"
 #include "logs/stream/laser_mounting.hpp"
 #include "logs/stream/scan_change.hpp"
+#include "robot/stamps.hpp"
 
 namespace ddtool {
 namespace {
@@ -136,17 +138,14 @@ std::optional<double> FrameWatch::usual_interval_s() const {
     if (intervals_s_.empty()) {
         return std::nullopt;
     }
-    std::vector<double> sorted(intervals_s_.begin(), intervals_s_.end());
-    const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
-    std::ranges::nth_element(sorted, middle);
-    return *middle;
+    return upper_median({intervals_s_.begin(), intervals_s_.end()});
 }
 
 void FrameWatch::check_pause(const SensorFrame& frame) {
     if (!before_) {
         return;
     }
-    const double pause_s = 1e-9 * (static_cast<double>(frame.scan.stamp_ns) - static_cast<double>(before_->stamp_ns));
+    const double pause_s = seconds_between(before_->stamp_ns, frame.scan.stamp_ns);
     if (pause_s > least_pause_s && pause_s > usual_scan_intervals * usual_interval_s().value_or(pause_s) &&
         !is_nearer(before_->pose, frame.odom_from_robot, pause_motion_m, pause_motion_rad)) {
         findings_.push_back("there are no scans from " + at(before_->stamp_ns) + " to " + at(frame.scan.stamp_ns) +
@@ -162,7 +161,7 @@ void FrameWatch::check_pause(const SensorFrame& frame) {
 }
 
 std::string FrameWatch::at(std::int64_t stamp_ns) const {
-    return fixed_text(1e-9 * (static_cast<double>(stamp_ns) - static_cast<double>(*first_ns_)), 1) + " s";
+    return fixed_text(seconds_between(*first_ns_, stamp_ns), 1) + " s";
 }
 
 std::optional<SensorFrame> FrameWatch::take() {

@@ -1,4 +1,5 @@
 #include "logs/stream/gyro_odometry.hpp"
+#include "robot/stamps.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +17,7 @@ constexpr double assumed_still_s = 2.0;
 constexpr double remembered_still_s = 60.0;
 
 double seconds_from(const StampedPose& from, const StampedPose& to) {
-    return 1e-9 * (static_cast<double>(to.stamp_ns) - static_cast<double>(from.stamp_ns));
+    return seconds_between(from.stamp_ns, to.stamp_ns);
 }
 
 }  // namespace

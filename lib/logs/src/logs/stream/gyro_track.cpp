@@ -1,16 +1,10 @@
 #include "logs/stream/gyro_track.hpp"
+#include "robot/stamps.hpp"
 
 #include <algorithm>
 
 namespace ddtool {
-namespace {
-
-/// Between stamps of a damaged log, which may be as far apart as numbers are.
-double elapsed_s(std::int64_t from_ns, std::int64_t to_ns) {
-    return 1e-9 * (static_cast<double>(to_ns) - static_cast<double>(from_ns));
-}
-
-}  // namespace
+namespace {}  // namespace
 
 void GyroTrack::add(std::int64_t stamp_ns, double rate_rad_per_s) {
     if (!samples_.empty() && stamp_ns < samples_.back().stamp_ns) {
@@ -19,7 +13,7 @@ void GyroTrack::add(std::int64_t stamp_ns, double rate_rad_per_s) {
     Sample sample{stamp_ns, rate_rad_per_s, 0.0, 0};
     if (!samples_.empty()) {
         const Sample& before = samples_.back();
-        const double since_s = elapsed_s(before.stamp_ns, stamp_ns);
+        const double since_s = seconds_between(before.stamp_ns, stamp_ns);
         sample.heading_rad = before.heading_rad + 0.5 * since_s * (before.rate_rad_per_s + rate_rad_per_s);
         sample.piece = before.piece + (since_s > longest_gap_s ? 1 : 0);
     }
@@ -51,7 +45,7 @@ std::optional<GyroTrack::Heading> GyroTrack::heading_at(std::int64_t stamp_ns) c
         return std::nullopt;
     }
     const Sample& before = *(after - 1);
-    const double share = elapsed_s(before.stamp_ns, stamp_ns) / elapsed_s(before.stamp_ns, after->stamp_ns);
+    const double share = seconds_between(before.stamp_ns, stamp_ns) / seconds_between(before.stamp_ns, after->stamp_ns);
     return Heading{before.heading_rad + share * (after->heading_rad - before.heading_rad), after->piece};
 }
 

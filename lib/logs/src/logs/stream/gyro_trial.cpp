@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "robot/scan_alignment.hpp"
+#include "robot/stamps.hpp"
 
 namespace ddtool {
 namespace {
@@ -27,8 +28,7 @@ bool GyroTrial::add(const SensorFrame& frame, const GyroTrack& gyro) {
         return false;
     }
     Scan scan{frame.scan.stamp_ns, frame.odom_from_robot, alignment_points(frame, frame.sweep)};
-    const double since_s =
-        before_ ? 1e-9 * (static_cast<double>(scan.stamp_ns) - static_cast<double>(before_->stamp_ns)) : -1.0;
+    const double since_s = before_ ? seconds_between(before_->stamp_ns, scan.stamp_ns) : -1.0;
     if (!(since_s > 0.0 && since_s < longest_pair_s)) {
         before_ = std::move(scan);
         return false;

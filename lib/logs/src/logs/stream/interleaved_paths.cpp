@@ -1,4 +1,5 @@
 #include "logs/stream/interleaved_paths.hpp"
+#include "robot/stamps.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -21,7 +22,7 @@ constexpr double least_change = 0.02;
 constexpr double new_share = 0.1;  ///< of the latest interval in the running mean
 
 double since_s(const StampedPose& from, const StampedPose& to) {
-    return std::abs(1e-9 * (static_cast<double>(to.stamp_ns) - static_cast<double>(from.stamp_ns)));
+    return std::abs(seconds_between(from.stamp_ns, to.stamp_ns));
 }
 
 double apart(const Pose2& a, const Pose2& b) {

@@ -11,6 +11,7 @@
 #include "logs/containers/line_reader.hpp"
 #include "logs/messages/message_decoder.hpp"
 #include "logs/stream/log_container.hpp"
+#include "robot/stamps.hpp"
 
 namespace ddtool {
 namespace {
@@ -99,7 +100,7 @@ bool is_timed(const TopicInventory& topic) { return topic.first_ns != 0 || topic
 }  // namespace
 
 double TopicInventory::rate_hz() const {
-    const double duration_s = 1e-9 * (static_cast<double>(last_ns) - static_cast<double>(first_ns));
+    const double duration_s = seconds_between(first_ns, last_ns);
     return duration_s > 0.0 ? static_cast<double>(messages - 1) / duration_s : std::numeric_limits<double>::quiet_NaN();
 }
 
@@ -123,9 +124,7 @@ std::int64_t LogInventory::last_ns() const {
     return topics.empty() ? 0 : std::ranges::max(topics, {}, &TopicInventory::last_ns).last_ns;
 }
 
-double LogInventory::duration_s() const {
-    return 1e-9 * (static_cast<double>(last_ns()) - static_cast<double>(first_ns()));
-}
+double LogInventory::duration_s() const { return seconds_between(first_ns(), last_ns()); }
 
 LogInventory take_inventory(const std::filesystem::path& path, LogProblemHandler on_problem,
                             const std::function<void(double)>& on_progress) {

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "logs/stream/laser_mounting.hpp"
+#include "robot/stamps.hpp"
 
 namespace ddtool {
 namespace {
@@ -30,7 +31,7 @@ void take_mounting(LogUse& use, const Pose2& robot_from_laser) {
 }
 
 void take_step(LogUse& use, const SensorFrame& before, const SensorFrame& frame) {
-    const double gap_s = 1e-9 * (static_cast<double>(frame.scan.stamp_ns) - static_cast<double>(before.scan.stamp_ns));
+    const double gap_s = seconds_between(before.scan.stamp_ns, frame.scan.stamp_ns);
     use.longest_gap_s = std::max(use.longest_gap_s, gap_s);
     use.stamps_back += gap_s < 0.0 ? 1 : 0;
     use.most_back_s = std::max(use.most_back_s, -gap_s);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "ddtool/logs/log_stream.hpp"
+#include "robot/stamps.hpp"
 
 namespace ddtool {
 
@@ -29,9 +30,7 @@ struct LogUse {
     std::size_t with_ground_truth = 0;  ///< scans with a true pose
 
     /// From the first stamp to the last.
-    [[nodiscard]] double duration_s() const {
-        return 1e-9 * (static_cast<double>(last_ns) - static_cast<double>(first_ns));
-    }
+    [[nodiscard]] double duration_s() const { return seconds_between(first_ns, last_ns); }
 };
 
 /// The number of beams with a range.

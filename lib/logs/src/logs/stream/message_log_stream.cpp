@@ -9,13 +9,10 @@
 #include "logs/stream/cloud_scan.hpp"
 #include "logs/stream/kept_messages.hpp"
 #include "logs/stream/laser_mounting.hpp"
+#include "robot/stamps.hpp"
 
 namespace ddtool {
 namespace {
-
-double seconds_between(std::int64_t a_ns, std::int64_t b_ns) {
-    return std::abs(static_cast<double>(a_ns) - static_cast<double>(b_ns)) * 1e-9;
-}
 
 std::vector<SweepTimer> timers_of(const LogPlan& plan) {
     std::vector<SweepTimer> timers;
@@ -480,7 +477,7 @@ void MessageLogStream::take_odometry_at(SensorFrame& frame) {
         frame.odom_from_robot = *pose;
     } else {
         const std::optional<StampedPose> nearest = odometry_.nearest(stamp_ns);
-        apart_s = nearest ? seconds_between(nearest->stamp_ns, stamp_ns) : INFINITY;
+        apart_s = nearest ? std::abs(seconds_between(nearest->stamp_ns, stamp_ns)) : INFINITY;
         frame.odom_from_robot = nearest ? nearest->pose : Pose2{};
     }
     const bool is_lost = apart_s > max_odometry_gap_s;
@@ -516,8 +513,9 @@ void MessageLogStream::report_gap(const OdometryGaps::Gap& gap, const McapMessag
     const auto scans = std::ranges::count_if(waiting_, is_inside);
     if (scans > 0) {
         report({file_ + ": the odometry " + plan_.odom_topic + " is missing for " +
-                    fixed_text(seconds_between(gap.from_ns, gap.to_ns), 1) + " s near " + message.offset_unit + " " +
-                    std::to_string(message.file_offset) + ", with " + std::to_string(scans) +
+                    fixed_text(std::abs(seconds_between(gap.from_ns, gap.to_ns)), 1) + " s near " +
+                    message.offset_unit + " " + std::to_string(message.file_offset) + ", with " +
+                    std::to_string(scans) +
                     " scans; the motion there is worked out from the scans and the poses before and after",
                 message.file_offset});
     }

@@ -1,4 +1,5 @@
 #include "logs/stream/odometry_gaps.hpp"
+#include "robot/stamps.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -20,8 +21,7 @@ OdometryGaps::OdometryGaps(double usual_interval_s)
 std::optional<OdometryGaps::Gap> OdometryGaps::add(const StampedPose& odom_from_robot) {
     std::optional<Gap> gap;
     if (before_) {
-        const double pause_s =
-            1e-9 * (static_cast<double>(odom_from_robot.stamp_ns) - static_cast<double>(before_->stamp_ns));
+        const double pause_s = seconds_between(before_->stamp_ns, odom_from_robot.stamp_ns);
         const Pose2 moved = between(before_->pose, odom_from_robot.pose);
         const bool has_moved =
             std::hypot(moved.x_m, moved.y_m) > least_motion_m || std::abs(moved.theta_rad) > least_motion_rad;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/text.hpp"
+#include "robot/stamps.hpp"
 
 namespace ddtool {
 namespace {
@@ -29,9 +30,7 @@ constexpr double shortest_s = 0.01;     ///< stamps that are closer together are
 constexpr double at_origin = 1e-3;      ///< metres and radians
 constexpr double speed_window_s = 0.2;  ///< over which the speed before a jump is taken, so that jitter averages out
 
-double elapsed_s(const StampedPose& from, const StampedPose& to) {
-    return 1e-9 * (static_cast<double>(to.stamp_ns) - static_cast<double>(from.stamp_ns));
-}
+double elapsed_s(const StampedPose& from, const StampedPose& to) { return seconds_between(from.stamp_ns, to.stamp_ns); }
 
 }  // namespace
 

@@ -2,6 +2,7 @@
 
 #include "logs/messages/ros_conversions.hpp"
 #include "logs/stream/topic_names.hpp"
+#include "robot/stamps.hpp"
 
 namespace ddtool {
 
@@ -19,7 +20,7 @@ std::optional<std::vector<PoseReading>> PoseReader::read(const McapMessage& mess
 PoseReading PoseReader::integrated(const VelocityReading& velocity) {
     const bool is_fixed = names_fixed_frame(velocity.frame_id);
     if (before_ && velocity.stamp_ns > before_->stamp_ns) {
-        const double step_s = 1e-9 * (static_cast<double>(velocity.stamp_ns) - static_cast<double>(before_->stamp_ns));
+        const double step_s = seconds_between(before_->stamp_ns, velocity.stamp_ns);
         const double turn_rad = step_s * (before_->turn_rad_s + velocity.turn_rad_s) / 2.0;
         const double x_m = step_s * (before_->x_m_s + velocity.x_m_s) / 2.0;
         const double y_m = step_s * (before_->y_m_s + velocity.y_m_s) / 2.0;

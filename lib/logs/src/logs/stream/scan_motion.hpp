@@ -11,7 +11,8 @@ namespace ddtool {
 /// the first. The turn of turn_between() is refined together with the position by laying the points of the second scan
 /// on lines through those of the first (Censi, "An ICP variant using a point-to-line metric", ICRA 2008), which are
 /// found by their bearings, so that the lidar must not have moved by more than some decimetres. The lines are as long
-/// as the noise of the ranges requires: short ones would look as if a bare wall held the position along itself.
+/// as the noise of the ranges requires: short ones would look as if a bare wall held the position along itself. That,
+/// and that it needs no guess, is what align_scans() of robot/scan_alignment.hpp does not offer; it is made for turns.
 ///
 /// Nullopt if the turn is not found, if too few points fit, or if the scans do not determine the position in every
 /// direction, as in a corridor.

@@ -1,4 +1,6 @@
 #include "logs/stream/scan_rate.hpp"
+#include "base/median.hpp"
+#include "robot/stamps.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,15 +10,6 @@ namespace {
 
 constexpr std::size_t most_periods = 1000;
 constexpr std::size_t most_lidars = 64;  // because in a damaged log every scan may be in another frame
-
-double median_of(std::vector<double> values) {
-    if (values.empty()) {
-        return 0.0;
-    }
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
 
 }  // namespace
 
@@ -29,7 +22,7 @@ void ScanRate::add(const LaserScan& scan, const std::string& frame_id) {
     views_rad_.push_back(increment_rad * static_cast<double>(scan.ranges_m.size() - 1));
     time_increments_s_.push_back(std::isfinite(scan.time_increment_s) ? scan.time_increment_s : 0.0);
     if (const auto last = last_ns_.find(frame_id); last != last_ns_.end()) {
-        const double period_s = 1e-9 * (static_cast<double>(scan.stamp_ns) - static_cast<double>(last->second));
+        const double period_s = seconds_between(last->second, scan.stamp_ns);
         if (period_s > 0.0) {
             periods_s_.push_back(period_s);
         }
@@ -39,12 +32,12 @@ void ScanRate::add(const LaserScan& scan, const std::string& frame_id) {
     }
 }
 
-double ScanRate::period_s() const { return median_of(periods_s_); }
+double ScanRate::period_s() const { return upper_median(periods_s_); }
 
-double ScanRate::time_increment_s() const { return median_of(time_increments_s_); }
+double ScanRate::time_increment_s() const { return upper_median(time_increments_s_); }
 
-double ScanRate::view_rad() const { return median_of(views_rad_); }
+double ScanRate::view_rad() const { return upper_median(views_rad_); }
 
-double ScanRate::angle_increment_rad() const { return median_of(angle_increments_rad_); }
+double ScanRate::angle_increment_rad() const { return upper_median(angle_increments_rad_); }
 
 }  // namespace ddtool

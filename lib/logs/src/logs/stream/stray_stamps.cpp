@@ -3,15 +3,12 @@
 #include <cmath>
 
 #include "base/text.hpp"
+#include "robot/stamps.hpp"
 
 namespace ddtool {
 namespace {
 
 constexpr double far_s = 10.0;
-
-double seconds_from(std::int64_t from_ns, std::int64_t to_ns) {
-    return 1e-9 * (static_cast<double>(to_ns) - static_cast<double>(from_ns));
-}
 
 std::string span_text(double span_s) {
     constexpr double day_s = 86400.0;
@@ -32,20 +29,20 @@ StrayStamps::Found StrayStamps::add(std::int64_t stamp_ns, std::size_t lidar) {
     }
     Found found;
     if (course.suspect_ns) {
-        const double from_believed_s = std::abs(seconds_from(course.believed_ns, stamp_ns));
-        const double from_suspect_s = std::abs(seconds_from(*course.suspect_ns, stamp_ns));
+        const double from_believed_s = std::abs(seconds_between(course.believed_ns, stamp_ns));
+        const double from_suspect_s = std::abs(seconds_between(*course.suspect_ns, stamp_ns));
         found.before_was_stray = from_believed_s < from_suspect_s;
         if (found.before_was_stray) {
-            count(course.suspect_number, seconds_from(course.believed_ns, *course.suspect_ns));
+            count(course.suspect_number, seconds_between(course.believed_ns, *course.suspect_ns));
         } else {
             if (course.suspect_number == 2 && from_suspect_s < far_s) {  // then it was the first scan that strayed
-                count(1, seconds_from(*course.suspect_ns, course.believed_ns));
+                count(1, seconds_between(*course.suspect_ns, course.believed_ns));
             }
             course.believed_ns = *course.suspect_ns;
         }
         course.suspect_ns.reset();
     }
-    if (std::abs(seconds_from(course.believed_ns, stamp_ns)) > far_s) {
+    if (std::abs(seconds_between(course.believed_ns, stamp_ns)) > far_s) {
         course.suspect_ns = stamp_ns;
         course.suspect_number = course.seen;
         found.is_suspect = true;

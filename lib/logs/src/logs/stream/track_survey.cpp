@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/median.hpp"
 #include "ddtool/robot/pose2.hpp"
 #include "logs/messages/ros_conversions.hpp"
+#include "robot/stamps.hpp"
 
 namespace ddtool {
 namespace {
@@ -41,7 +43,7 @@ void TrackSurvey::add(const PoseReading& reading, std::int64_t recorded_ns) {
         clock_.add(reading.stamp_ns, recorded_ns);
     }
     if (last_ns_ && intervals_s_.size() < most_intervals) {
-        intervals_s_.push_back(1e-9 * (static_cast<double>(reading.stamp_ns) - static_cast<double>(*last_ns_)));
+        intervals_s_.push_back(seconds_between(*last_ns_, reading.stamp_ns));
     }
     last_ns_ = reading.stamp_ns;
     first_ = first_.value_or(reading.frame_from_child);
@@ -52,11 +54,6 @@ void TrackSurvey::add(const PoseReading& reading, std::int64_t recorded_ns) {
     moves_ = moves_ || std::hypot(moved.x_m, moved.y_m) > moved_m || std::abs(moved.theta_rad) > moved_rad;
 }
 
-double TrackSurvey::usual_interval_s() const {
-    std::vector<double> sorted = intervals_s_;
-    const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
-    std::ranges::nth_element(sorted, middle);
-    return sorted.empty() ? 0.0 : std::max(*middle, 0.0);
-}
+double TrackSurvey::usual_interval_s() const { return std::max(upper_median(intervals_s_), 0.0); }
 
 }  // namespace ddtool

@@ -4,8 +4,10 @@
 #include <cmath>
 #include <span>
 
+#include "base/median.hpp"
 #include "ddtool/robot/pose2.hpp"
 #include "logs/stream/scan_turn.hpp"
+#include "robot/stamps.hpp"
 
 namespace ddtool {
 namespace {
@@ -40,9 +42,7 @@ class LagFit {
 public:
     LagFit(Pairs pairs, const HeadingTrack& odometry, double ahead_s) : odometry_(odometry) {
         for (const ScanTurns::Pair& pair : pairs) {
-            const auto seconds = [&](std::int64_t ns) {
-                return 1e-9 * (static_cast<double>(ns) - static_cast<double>(odometry.origin_ns())) + ahead_s;
-            };
+            const auto seconds = [&](std::int64_t ns) { return seconds_between(odometry.origin_ns(), ns) + ahead_s; };
             steps_.push_back({seconds(pair.from_ns), seconds(pair.to_ns), pair.turn_rad});
         }
     }
@@ -128,9 +128,7 @@ private:
         for (const auto& [odometry_rad, scan_rad] : turns_) {
             residuals.push_back(std::abs(scan_rad - fit.scale * odometry_rad));
         }
-        const auto middle = residuals.begin() + static_cast<std::ptrdiff_t>(residuals.size() / 2);
-        std::ranges::nth_element(residuals, middle);
-        return residuals.empty() ? 0.0 : 1.4826 * *middle;
+        return 1.4826 * upper_median(std::move(residuals));
     }
 
     const HeadingTrack& odometry_;
@@ -150,7 +148,7 @@ void ScanTurns::add(const LaserScan& scan) {
     }
     if (before_) {
         ++compared_;
-        const double step_s = 1e-9 * (static_cast<double>(scan.stamp_ns) - static_cast<double>(before_->stamp_ns));
+        const double step_s = seconds_between(before_->stamp_ns, scan.stamp_ns);
         const std::optional<double> turn =
             step_s > 0.0 && step_s < longest_step_s ? turn_between(*before_, scan) : std::nullopt;
         const bool turns = turn && std::abs(*turn) > least_turn_rad;
@@ -167,7 +165,7 @@ void HeadingTrack::add(std::int64_t stamp_ns, double heading_rad) {
         return;
     }
     origin_ns_ = headings_.empty() ? stamp_ns : origin_ns_;
-    const double at_s = 1e-9 * (static_cast<double>(stamp_ns) - static_cast<double>(origin_ns_));
+    const double at_s = seconds_between(origin_ns_, stamp_ns);
     if (headings_.empty()) {
         headings_.emplace_back(at_s, heading_rad);
     } else if (at_s > headings_.back().first) {

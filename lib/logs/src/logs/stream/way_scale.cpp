@@ -6,9 +6,11 @@
 #include <span>
 #include <utility>
 
+#include "base/median.hpp"
 #include "base/text.hpp"
 #include "logs/stream/scan_motion.hpp"
 #include "logs/stream/stamp_survey.hpp"
+#include "robot/stamps.hpp"
 
 namespace ddtool {
 namespace {
@@ -35,19 +37,6 @@ constexpr double most_between_halves = 1.5;
 constexpr double most_scale = 2.5;
 /// No robot that maps with a lidar drives at 50 km/h (check/verdict.cpp has the same bound).
 constexpr double fastest_robot_m_per_s = 15.0;
-
-double span_s(std::int64_t from_ns, std::int64_t to_ns) {
-    return 1e-9 * (static_cast<double>(to_ns) - static_cast<double>(from_ns));
-}
-
-double middle_of(std::vector<double> values) {
-    if (values.empty()) {
-        return 0.0;
-    }
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::ranges::nth_element(values, middle);
-    return *middle;
-}
 
 struct WayPair {
     std::complex<double> scans_m;
@@ -88,7 +77,7 @@ std::optional<WayFit> fit_way(std::span<const WayPair> pairs) {
         }
         found.factor = products / odometry_squares;
         found.explained = std::norm(products) / (odometry_squares * scan_squares);
-        limit_m = std::max(outlier_medians * middle_of(residuals_of(pairs, found.factor)), least_limit_m);
+        limit_m = std::max(outlier_medians * upper_median(residuals_of(pairs, found.factor)), least_limit_m);
     }
     return found;
 }
@@ -100,7 +89,7 @@ void leave_out_leaps(std::vector<WayPair>& pairs) {
     for (const WayPair& pair : pairs) {
         lengths_m.push_back(std::abs(pair.odometry_m));
     }
-    const double most_m = most_medians * middle_of(std::move(lengths_m));
+    const double most_m = most_medians * upper_median(std::move(lengths_m));
     std::erase_if(pairs, [&](const WayPair& pair) { return std::abs(pair.odometry_m) > most_m; });
 }
 
@@ -124,7 +113,7 @@ void ScanWay::add(const LaserScan& scan) {
         return;
     }
     if (from_) {
-        const double since_s = span_s(from_->stamp_ns, scan.stamp_ns);
+        const double since_s = seconds_between(from_->stamp_ns, scan.stamp_ns);
         ++compared_;
         const std::optional<Pose2> motion =
             since_s > 0.0 && since_s < longest_way_step_s ? motion_between(*from_, scan) : std::nullopt;
@@ -142,7 +131,8 @@ void ScanWay::add(const LaserScan& scan) {
 void WayTrack::add(const StampedPose& odom_from_robot) {
     const Pose2& pose = odom_from_robot.pose;
     const bool is_finite = std::isfinite(pose.x_m) && std::isfinite(pose.y_m) && std::isfinite(pose.theta_rad);
-    const bool is_later = poses_.empty() || span_s(poses_.back().stamp_ns, odom_from_robot.stamp_ns) > least_every_s;
+    const bool is_later =
+        poses_.empty() || seconds_between(poses_.back().stamp_ns, odom_from_robot.stamp_ns) > least_every_s;
     if (is_finite && is_later && poses_.size() < most_poses) {
         poses_.push_back(odom_from_robot);
     }
@@ -158,7 +148,7 @@ std::optional<Pose2> WayTrack::pose_at(std::int64_t stamp_ns) const {
     }
     const StampedPose& before = *(after - 1);
     return interpolate(before.pose, after->pose,
-                       span_s(before.stamp_ns, stamp_ns) / span_s(before.stamp_ns, after->stamp_ns));
+                       seconds_between(before.stamp_ns, stamp_ns) / seconds_between(before.stamp_ns, after->stamp_ns));
 }
 
 std::optional<Pose2> WayTrack::moved(std::int64_t from_ns, std::int64_t to_ns) const {
@@ -172,10 +162,10 @@ double WayTrack::usual_m_per_s() const {
     for (std::size_t i = 1; i < poses_.size(); ++i) {
         const double way_m = distance_m(poses_[i - 1].pose, poses_[i].pose);
         if (way_m > stands_m) {
-            speeds_m_per_s.push_back(way_m / span_s(poses_[i - 1].stamp_ns, poses_[i].stamp_ns));
+            speeds_m_per_s.push_back(way_m / seconds_between(poses_[i - 1].stamp_ns, poses_[i].stamp_ns));
         }
     }
-    return middle_of(std::move(speeds_m_per_s));
+    return upper_median(std::move(speeds_m_per_s));
 }
 
 std::optional<double> way_scale(const ScanWay& scans, const WayTrack& odometry, double ahead_s) {
@@ -204,13 +194,12 @@ std::optional<double> way_scale(const ScanWay& scans, const WayTrack& odometry, 
 std::string length_fault(const ScanWay& scans, const WayTrack& odometry, double ahead_s) {
     const std::optional<double> scale = way_scale(scans, odometry, ahead_s);
     if (scale) {
-        const bool is_believed = *scale<most_scale&& * scale> 1.0 / most_scale;
-        return is_believed ? ""
-                           : "it moves " +
-                                 fixed_text(*scale, *scale > 10.0  ? 0
-                                                    : *scale > 0.1 ? 2
-                                                                   : 5) +
-                                 " times as far as the scans show" + unit_text(*scale) + "; expected metres";
+        if (std::max(*scale, 1.0 / *scale) < most_scale) {
+            return "";
+        }
+        const int decimals = *scale > 10.0 ? 0 : (*scale > 0.1 ? 2 : 5);
+        return "it moves " + fixed_text(*scale, decimals) + " times as far as the scans show" + unit_text(*scale) +
+               "; expected metres";
     }
     const double speed_m_per_s = odometry.usual_m_per_s();
     return speed_m_per_s > fastest_robot_m_per_s
