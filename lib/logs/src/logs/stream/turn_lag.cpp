@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
+#include <utility>
 
 #include "base/median.hpp"
 #include "ddtool/robot/pose2.hpp"
