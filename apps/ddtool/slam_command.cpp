@@ -2,6 +2,7 @@
 #include <chrono>
 #include <iostream>
 #include <memory>
+#include <utility>
 
 #include "check/self_check.hpp"
 #include "check/verdict.hpp"
@@ -10,6 +11,7 @@
 #include "ddtool/robot/scan_truth.hpp"
 #include "detectors.hpp"
 #include "graph/back_end.hpp"
+#include "graph/node_recorder.hpp"
 #include "log_options.hpp"
 #include "logs/stream/live_log.hpp"
 #include "methods/settings_json.hpp"
@@ -25,6 +27,7 @@
 #include "system/log.hpp"
 #include "system/process_usage.hpp"
 #include "system/progress.hpp"
+#include "version.hpp"
 
 namespace ddtool {
 namespace {
@@ -56,13 +59,17 @@ struct Served {
 /// Runs the filter over the scans. The filter is destroyed at the end, so that the memory of its particles can be
 /// returned before the pictures are drawn.
 FilterRun run_over(DrivenScans& scans, std::unique_ptr<ParticleFilter> filter, const InterruptRequest& interrupt,
-                   RunFolder& folder, check::SelfCheck& check, graph::BackEnd* back_end, Served* served) {
+                   RunFolder& folder, check::SelfCheck& check, graph::NodeRecorder& recorder, graph::BackEnd* back_end,
+                   Served* served) {
     Progress progress("slam", "scans");
     return run_filter(scans, *filter, [&](const SensorFrame& frame, const std::optional<Update>& update) {
         folder.add(frame, update, *filter);
         check.add(frame, update);
-        if (back_end != nullptr) {
-            back_end->add(frame, update);
+        if (std::optional<graph::Node> node = recorder.add(frame, update)) {
+            folder.add(*node);
+            if (back_end != nullptr) {
+                back_end->add(std::move(*node));
+            }
         }
         if (served != nullptr) {
             served->run.add(frame, update, *filter);
@@ -162,9 +169,11 @@ ExitCode slam(const SlamRequest& request, const Json& settings) {
     scans.tell_truth(truth);
     const OutputFolder output(request.folder, name_of_results(request.log));
     RunFolder folder(output.path(), request.with_snapshots);
+    folder.begin_map_file(program_version(), settings, filter_settings.rbpf.grid);
     check::SelfCheck check;
-    FilterRun result =
-        run_over(scans, std::move(filter), interrupt, folder, check, back_end ? &*back_end : nullptr, served.get());
+    graph::NodeRecorder recorder(filter_settings.rbpf);
+    FilterRun result = run_over(scans, std::move(filter), interrupt, folder, check, recorder,
+                                back_end ? &*back_end : nullptr, served.get());
     return_freed_memory();  // returns the memory of the particles' maps before the pictures are drawn
     if (result.trajectory.empty()) {
         throw Error(request.log + ": no scans that can be used");
@@ -178,6 +187,7 @@ ExitCode slam(const SlamRequest& request, const Json& settings) {
     }
     folder.finish(result, map);
     folder.write_back_end(results_of_back_end ? &*results_of_back_end : nullptr);
+    folder.finish_map_file(request.log, result, results_of_back_end ? &results_of_back_end->smoothed.graph : nullptr);
     folder.write_json("config.json", settings);
     const RunSummary run = run_summary(result, map, folder.course(), folder.write_s());
     const RunCost cost = run_cost(request.threads, start);

@@ -172,6 +172,7 @@ const std::map<std::string, Reader>& readers() {
         {"configuration", reader({read_filter_settings, read_experiment, read_simulation, read_build_settings,
                                   read_train_settings, read_plan, read_world})},
         {"poses", reader({read_trajectory, read_relation_file})},
+        {"map", reader({read_map_file, read_map_messages})},
         {"request", reader({read_request})}};
     return all;
 }

@@ -15,5 +15,7 @@ const std::map<std::string, Reader>& readers();
 
 void read_message(std::span<const char> content);
 void read_dataset(std::span<const char> content);
+void read_map_file(std::span<const char> content);
+void read_map_messages(std::span<const char> content);
 
 }  // namespace ddtool::fuzz

@@ -6,13 +6,19 @@
 #include "compressed_text.hpp"
 #include "db3_file.hpp"
 #include "dd_weights.hpp"
+#include "ddtool/filter/learnt_odometry.hpp"
 #include "foxglove.pb.h"
+#include "graph/node_recorder.hpp"
 #include "known_dataset.hpp"
+#include "logs/containers/mcap_reader.hpp"
+#include "map_messages.hpp"
+#include "maps/map_file.hpp"
 #include "message_kinds.hpp"
 #include "point_clouds.hpp"
 #include "recording.hpp"
 #include "rosbag2_folder_files.hpp"
 #include "run/snapshot_file.hpp"
+#include "small_run.hpp"
 #include "swarm_dataset.hpp"
 #include "system/atomic_file.hpp"
 #include "tar_file.hpp"
@@ -221,6 +227,51 @@ void write_datasets(const fs::path& folder) {
     }
 }
 
+/// The messages of an MCAP file in the form of map_messages.hpp.
+std::string as_map_messages(const fs::path& file) {
+    McapReader reader(file, {});
+    std::string all;
+    while (const std::optional<McapMessage> message = reader.next()) {
+        const auto* const found = std::ranges::find_if(
+            map_messages, [&](const MapMessage& known) { return known.topic == message->channel->topic; });
+        all += static_cast<char>(found - map_messages.begin());
+        all += static_cast<char>(message->data.size() & 0xffU);
+        all += static_cast<char>(message->data.size() >> 8U);
+        all.append(reinterpret_cast<const char*>(message->data.data()), message->data.size());
+    }
+    return all;
+}
+
+/// A map of two scans, and one of two cells, each as a file and as messages.
+void write_maps(const fs::path& folder) {
+    const test::TemporaryFolder temporary;
+    test::SmallRun small;
+    graph::NodeRecorder recorder(test::SmallRun::settings());
+    maps::SavedMap map{OccupancySettings{}};
+    const FilterRun run = small.run([&](const SensorFrame& frame, const std::optional<Update>& update) {
+        if (std::optional<graph::Node> node = recorder.add(frame, update)) {
+            map.nodes.push_back({.drive = 0, .scan = std::move(*node), .pose = {}});
+        }
+        return map.nodes.size() < 2;
+    });
+    map.drives = {{.log = "log", .odometry = LearntOdometry().state()}};
+    map.edges = {{maps::MapEdge::Kind::match, {.from = 0, .to = 1, .measured = {0.3, 0.0, 0.0}}}};
+    map.grid = run.map;
+    maps::write_map(temporary / "whole", "fuzz", map);
+    write_seed(folder, "whole", read_file(temporary / "whole"));
+    write_seed(folder, "whole-messages", as_map_messages(temporary / "whole"));
+    map.nodes.clear();
+    map.edges.clear();
+    map.drives.clear();
+    map.grid = OccupancyGrid({});
+    map.grid.reserve({0, 0, 2, 1});
+    map.grid.set({0, 0}, 5, {1, -1});
+    map.grid.set({1, 0}, -5, {});
+    maps::write_map(temporary / "small", "fuzz", map);
+    write_seed(folder, "small", read_file(temporary / "small"));
+    write_seed(folder, "small-messages", as_map_messages(temporary / "small"));
+}
+
 void write_rest(const fs::path& root) {
     fs::create_directories(root / "metadata");
     test::write_metadata(root / "metadata", {"part_0.db3", "part_1.db3"});
@@ -253,6 +304,7 @@ int main(int argc, char** argv) {
     ddtool::fuzz::write_datasets(root / "dataset");
     ddtool::fuzz::write_networks(root / "network");
     ddtool::fuzz::write_checkpoints(root / "checkpoint");
+    ddtool::fuzz::write_maps(root / "map");
     ddtool::fuzz::write_rest(root);
     return 0;
 }

@@ -70,12 +70,10 @@ TEST(BackEnd, ClosesTheLoopOfARing) {
 TEST(BackEnd, APathThatAgreesWithItsLoopsIsKept) {
     const std::vector<SensorFrame> frames = simulated_drive(ring_world(), 8.0);
     Trajectory truth;
-    BackEnd back_end{RbpfSettings{}};
     for (const SensorFrame& frame : frames) {
-        back_end.add(frame, Update{});
         truth.push_back({frame.scan.stamp_ns, *frame.world_from_robot});
     }
-    const Smoothed result = back_end.finish(truth);
+    const Smoothed result = back_end_after(frames).finish(truth);
     EXPECT_GE(closed_loops(result), 2U);
     EXPECT_LT(result.loop_error_of_path, 3.0);
     EXPECT_FALSE(result.map.has_value());
@@ -118,13 +116,9 @@ TEST(BackEnd, FramesBehindTheEndOfThePathAreLeftOut) {
     sim::World world = ring_world();
     world.route.way_points.resize(1);
     const std::vector<SensorFrame> frames = simulated_drive(world, 8.0);
-    BackEnd back_end{RbpfSettings{}};
-    for (const SensorFrame& frame : frames) {
-        back_end.add(frame, Update{});
-    }
     Trajectory path = odometry_path(frames);
     path.resize(path.size() / 2);
-    EXPECT_EQ(back_end.finish(path).trajectory.size(), path.size());
+    EXPECT_EQ(back_end_after(frames).finish(path).trajectory.size(), path.size());
 }
 
 }  // namespace

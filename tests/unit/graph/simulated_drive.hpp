@@ -6,6 +6,7 @@
 
 #include "ddtool/robot/sensor_stream.hpp"
 #include "graph/back_end.hpp"
+#include "graph/node_recorder.hpp"
 #include "sim/simulated_stream.hpp"
 
 namespace ddtool::graph::test {
@@ -34,13 +35,21 @@ inline Trajectory odometry_path(const std::vector<SensorFrame>& frames) {
     return path;
 }
 
+/// A back end that has the nodes of the drive.
+inline BackEnd back_end_after(const std::vector<SensorFrame>& frames) {
+    BackEnd back_end{RbpfSettings{}};
+    NodeRecorder recorder{RbpfSettings{}};
+    for (const SensorFrame& frame : frames) {
+        if (std::optional<Node> node = recorder.add(frame, Update{})) {
+            back_end.add(std::move(*node));
+        }
+    }
+    return back_end;
+}
+
 /// What the back end makes of the drive when the filter's path is the odometry's.
 inline Smoothed smoothed(const std::vector<SensorFrame>& frames) {
-    BackEnd back_end{RbpfSettings{}};
-    for (const SensorFrame& frame : frames) {
-        back_end.add(frame, Update{});
-    }
-    return back_end.finish(odometry_path(frames));
+    return back_end_after(frames).finish(odometry_path(frames));
 }
 
 }  // namespace ddtool::graph::test

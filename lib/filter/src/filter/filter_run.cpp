@@ -41,6 +41,7 @@ FilterRun run_filter(SensorStream& stream, ParticleFilter& filter, const FrameOb
         run.map = filter.map();
     }
     run.trajectory = filter.trajectory();
+    run.odometry = filter.odometry_state();
     return run;
 }
 

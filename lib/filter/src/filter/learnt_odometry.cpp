@@ -66,6 +66,26 @@ LearntOdometry::LearntOdometry()
     turn_per_rad_ = assumed(OdometryLearning::noise.rotation_per_rotation);
 }
 
+LearntOdometry::LearntOdometry(const OdometryState& state)
+    : scale_{state.scale - 1.0, state.scale_variance},
+      bias_{state.bias_rad_per_s, state.bias_variance},
+      along_per_m_{state.along_per_m.sum, state.along_per_m.chords},
+      along_per_rad_{state.along_per_rad.sum, state.along_per_rad.chords},
+      turn_per_m_{state.turn_per_m.sum, state.turn_per_m.chords},
+      turn_per_rad_{state.turn_per_rad.sum, state.turn_per_rad.chords} {}
+
+std::optional<OdometryState> LearntOdometry::state() const {
+    const auto rate = [](const NoiseRate& of) { return OdometryState::Rate{of.sum, of.chords}; };
+    return OdometryState{.scale = scale(),
+                         .scale_variance = scale_.variance,
+                         .bias_rad_per_s = bias_.mean,
+                         .bias_variance = bias_.variance,
+                         .along_per_m = rate(along_per_m_),
+                         .along_per_rad = rate(along_per_rad_),
+                         .turn_per_m = rate(turn_per_m_),
+                         .turn_per_rad = rate(turn_per_rad_)};
+}
+
 double LearntOdometry::scale_sd() const { return std::sqrt(scale_.variance); }
 
 MotionNoise LearntOdometry::noise() const {

@@ -182,6 +182,19 @@ void OccupancyGrid::add_hit(Cell cell, NearestPoint offset) {
     spread(cell, offset);
 }
 
+void OccupancyGrid::set(Cell cell, std::int8_t log_odds, NearestPoint mean) {
+    const bool was_occupied = occupied(cell);
+    if (log_odds == this->log_odds(cell) && log_odds <= 0) {
+        return;
+    }
+    pointer_at(cell).writable().log_odds[Patch::local(cell.x, cell.y)] = log_odds;
+    if (log_odds > 0) {
+        spread(cell, mean);
+    } else if (was_occupied) {
+        forget(cell);
+    }
+}
+
 /// Works patch by patch for speed, because it runs for every end point that moves the mean of its cell.
 void OccupancyGrid::spread(Cell occupied_cell, NearestPoint offset) {
     const int x_end = occupied_cell.x + field_radius + 1;

@@ -7,7 +7,6 @@
 #include <string>
 
 #include "ddtool/base/error.hpp"
-#include "filter/pose_covariance.hpp"
 #include "system/atomic_file.hpp"
 
 namespace ddtool::graph {
@@ -105,11 +104,7 @@ void write_g2o(const std::filesystem::path& file, const PoseGraph& graph) {
         }
         out << "FIX 0\n";
         for (const OdometryEdge& edge : graph.odometry) {
-            const Pose2 motion = calibrated(edge, graph.calibration);
-            const Eigen::Matrix3d along = edge.sigmas.cwiseAbs2().cwiseInverse().asDiagonal();
-            // g2o's errors are in the frame of the edge's end.
-            const Eigen::Matrix3d turned = turned_about_z(-motion.theta_rad);
-            write_edge(out, edge.from, edge.from + 1, motion, turned * along * turned.transpose());
+            write_relative(out, relative_edge(edge, graph.calibration));  // g2o's errors are in the frame of the end
         }
         for (const RelativeEdge& edge : graph.matches) {
             write_relative(out, edge);

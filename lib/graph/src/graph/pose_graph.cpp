@@ -11,6 +11,14 @@ Pose2 calibrated(const OdometryEdge& edge, const OdometryCalibration& calibratio
             wrap_angle(edge.motion.theta_rad + calibration.bias_rad_per_s * edge.duration_s)};
 }
 
+RelativeEdge relative_edge(const OdometryEdge& edge, const OdometryCalibration& calibration) {
+    const Pose2 motion = calibrated(edge, calibration);
+    const Eigen::Matrix3d along = edge.sigmas.cwiseAbs2().cwiseInverse().asDiagonal();
+    const Eigen::Matrix3d turned = turned_about_z(-motion.theta_rad);
+    return {
+        .from = edge.from, .to = edge.from + 1, .measured = motion, .information = turned * along * turned.transpose()};
+}
+
 EdgeError edge_error(const Pose2& from, const Pose2& to, const Pose2& measured, bool in_target_frame) {
     const double c = std::cos(from.theta_rad);
     const double s = std::sin(from.theta_rad);

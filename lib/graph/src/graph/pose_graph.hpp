@@ -46,6 +46,9 @@ struct PoseGraph {
 /// The motion of an odometry edge with the calibration applied.
 Pose2 calibrated(const OdometryEdge& edge, const OdometryCalibration& calibration);
 
+/// The edge with the calibration applied, as an edge between two poses: its information is in the frame of its end.
+RelativeEdge relative_edge(const OdometryEdge& edge, const OdometryCalibration& calibration);
+
 /// An edge's error at two poses and its derivatives by them: e(from + d_from, to + d_to) = error + by_from d_from +
 /// by_to d_to to first order, where poses change by adding to x, y and theta.
 struct EdgeError {

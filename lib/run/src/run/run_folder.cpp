@@ -18,6 +18,7 @@ constexpr const char* online_name = "trajectory_online.tum";
 constexpr const char* filter_path_name = "trajectory_filter.tum";
 constexpr const char* graph_name = "graph.g2o";
 constexpr const char* nodes_name = "graph_nodes.csv";
+constexpr const char* map_file_name = "map.ddmap";
 constexpr const char* page_name = "report.html";
 
 }  // namespace
@@ -59,6 +60,28 @@ void RunFolder::finish(const FilterRun& run, const MapRaster& map) {
     write_degeneracy_picture(place("degeneracy.png"), course_.updates(), map, run.trajectory);
 }
 
+void RunFolder::begin_map_file(const std::string& program, const Json& settings, const OccupancySettings& cells) {
+    map_file_.emplace(folder_ / map_file_name, program, settings, cells);
+}
+
+void RunFolder::add(const graph::Node& node) {
+    const StageTimer timer(write_s_);
+    map_file_->add(node, 0);
+}
+
+void RunFolder::finish_map_file(const std::string& log, const FilterRun& run, const graph::PoseGraph* graph) {
+    const StageTimer timer(write_s_);
+    std::vector<Pose2> poses;
+    for (const std::size_t scan : map_file_->scans()) {
+        if (scan < run.trajectory.size()) {
+            poses.push_back(run.trajectory[scan].pose);
+        }
+    }
+    map_file_->finish({{.log = log, .odometry = run.odometry}}, poses,
+                      graph == nullptr ? std::vector<maps::MapEdge>{} : maps::edges_of(*graph), run.map);
+    files_.emplace_back(map_file_name);
+}
+
 void RunFolder::write_back_end(const BackEndResults* results) {
     if (results == nullptr) {
         for (const char* name : {filter_path_name, graph_name, nodes_name}) {
@@ -94,6 +117,9 @@ void RunFolder::complete_streams() {
         files_.emplace_back(snapshots_name);
     } else {
         std::filesystem::remove(folder_ / snapshots_name);
+    }
+    if (!map_file_) {
+        std::filesystem::remove(folder_ / map_file_name);
     }
 }
 

@@ -7,6 +7,7 @@
 
 #include "ddtool/filter/filter_run.hpp"
 #include "ddtool/system/settings.hpp"
+#include "maps/map_file.hpp"
 #include "report/map_raster.hpp"
 #include "report/page.hpp"
 #include "run/back_end_results.hpp"
@@ -28,6 +29,12 @@ public:
 
     /// Call this after the filter has processed the frame. `update` is empty where the frame caused no update.
     void add(const SensorFrame& frame, const std::optional<Update>& update, const ParticleFilter& filter);
+    /// Begins map.ddmap, which grows with the run. `program` is what writes it, with its version.
+    void begin_map_file(const std::string& program, const Json& settings, const OccupancySettings& cells);
+    /// Adds the next scan that entered the filter's map.
+    void add(const graph::Node& node);
+    /// Completes map.ddmap after finish(). `graph` is null if there was none.
+    void finish_map_file(const std::string& log, const FilterRun& run, const graph::PoseGraph* graph);
     /// Writes the trajectories, the map and its picture, and completes the MCAP files.
     void finish(const FilterRun& run, const MapRaster& map);
     /// Writes the graph, its nodes and the path before the back end; without results removes those of an earlier run.
@@ -52,6 +59,7 @@ private:
     std::vector<std::string> files_;
     ResultLog result_;
     std::optional<SnapshotWriter> snapshots_;
+    std::optional<maps::MapFileWriter> map_file_;
     DegeneracyCsv degeneracy_;
     TumStream online_;
     RunCourse course_;

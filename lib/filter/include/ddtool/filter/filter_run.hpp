@@ -14,6 +14,7 @@ struct FilterRun {
     Trajectory trajectory;    ///< a pose for every scan, from the past of the particle that is best at the end
     Trajectory ground_truth;  ///< world_from_robot of every frame for which the stream has it
     OccupancyGrid map{OccupancySettings{}};  ///< map of the best particle
+    std::optional<OdometryState> odometry;   ///< what was learnt of it; empty if the method learns nothing of it
     std::uint64_t updates = 0;
     std::uint64_t resamplings = 0;
     double read_s = 0.0;      ///< wall time spent reading the stream

@@ -36,10 +36,13 @@ struct OdometryLearning {
 class LearntOdometry : public OdometryModel {
 public:
     LearntOdometry();
+    /// Goes on with what was learnt before.
+    explicit LearntOdometry(const OdometryState& state);
 
     [[nodiscard]] Pose2 expected(const Pose2& odometry_motion, double duration_s) const override;
     [[nodiscard]] MotionSigmas sigmas(const Pose2& odometry_motion, double duration_s) const override;
     void learn(const ObservedMotion& motion) override;
+    [[nodiscard]] std::optional<OdometryState> state() const override;
 
     /// True distance divided by the odometry's distance.
     [[nodiscard]] double scale() const { return 1.0 + scale_.mean; }

@@ -80,6 +80,10 @@ public:
     /// Enters that beams passed through cells x_begin..x_end-1 of row y.
     void add_free(int y, int x_begin, int x_end);
 
+    /// Makes a cell what it is in another map: with this evidence, and if it is occupied, with the mean of its hits at
+    /// `mean` from its centre, each coordinate in -16..15. reserve() must have been called for it.
+    void set(Cell cell, std::int8_t log_odds, NearestPoint mean);
+
     /// The smallest box of whole patches that holds everything observed.
     [[nodiscard]] CellBox observed_box() const;
 

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <cstddef>
 #include <functional>
+#include <optional>
 
 #include "ddtool/swarm/motion_model.hpp"
 
@@ -21,6 +22,20 @@ struct ObservedMotion {
     std::function<Pose2(std::size_t)> pose_before;
 };
 
+/// What has been learnt of an odometry, for keeping it beside a map: LearntOdometry says what each is.
+struct OdometryState {
+    /// A variance per metre or radian: the sum over chords, and their number.
+    struct Rate {
+        double sum = 0.0;
+        double chords = 0.0;
+    };
+    double scale = 1.0;  ///< true distance divided by the odometry's
+    double scale_variance = 0.0;
+    double bias_rad_per_s = 0.0;  ///< to be added to the odometry's turn rate
+    double bias_variance = 0.0;
+    Rate along_per_m, along_per_rad, turn_per_m, turn_per_rad;
+};
+
 /// Estimates the true motion from the odometry's. An object belongs to one filter and is called by one thread at a
 /// time.
 class OdometryModel {
@@ -32,6 +47,8 @@ public:
     [[nodiscard]] virtual MotionSigmas sigmas(const Pose2& odometry_motion, double duration_s) const = 0;
     /// Called once per update after the first, in order.
     virtual void learn(const ObservedMotion& motion) = 0;
+    /// What has been learnt so far; empty for a model that learns nothing.
+    [[nodiscard]] virtual std::optional<OdometryState> state() const { return std::nullopt; }
 };
 
 /// Takes the odometry as it is, with noise that does not change.

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "ddtool/filter/occupancy_grid.hpp"
+#include "ddtool/filter/odometry_model.hpp"
 #include "ddtool/filter/update.hpp"
 #include "ddtool/robot/sensor_stream.hpp"
 #include "ddtool/robot/trajectory.hpp"
@@ -32,6 +33,8 @@ public:
     [[nodiscard]] virtual Eigen::Matrix3d pose_covariance() const = 0;
     /// A pose for every scan so far, from the past of the best particle.
     [[nodiscard]] virtual Trajectory trajectory() const = 0;
+    /// What has been learnt of the odometry; empty if the method learns nothing of it.
+    [[nodiscard]] virtual std::optional<OdometryState> odometry_state() const { return std::nullopt; }
 };
 
 }  // namespace ddtool

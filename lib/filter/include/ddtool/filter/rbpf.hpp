@@ -69,6 +69,7 @@ public:
     [[nodiscard]] Pose2 pose() const override;
     [[nodiscard]] Eigen::Matrix3d pose_covariance() const override;
     [[nodiscard]] Trajectory trajectory() const override;
+    [[nodiscard]] std::optional<OdometryState> odometry_state() const override { return odometry_->state(); }
 
 private:
     /// The motion since the last update.

@@ -241,6 +241,12 @@ DDTOOL_CDR(RosParticleSnapshot)
 DDTOOL_CDR(RosFloat64MultiArray)
 DDTOOL_CDR(RosPoseWithCovarianceStamped)
 DDTOOL_CDR(RosDegeneracy)
+DDTOOL_CDR(RosMapHeader)
+DDTOOL_CDR(RosMapScan)
+DDTOOL_CDR(RosMapDrive)
+DDTOOL_CDR(RosMapGraph)
+DDTOOL_CDR(RosMapTile)
+DDTOOL_CDR(RosMapEnd)
 #undef DDTOOL_CDR
 
 }  // namespace ddtool

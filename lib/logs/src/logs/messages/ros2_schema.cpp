@@ -12,7 +12,7 @@ struct Definition {
     std::string_view text;
 };
 
-constexpr std::array<Definition, 28> definitions{{
+constexpr std::array<Definition, 35> definitions{{
     {"builtin_interfaces/Time", "int32 sec\nuint32 nanosec\n"},
     {"std_msgs/Header", "builtin_interfaces/Time stamp\nstring frame_id\n"},
     {"std_msgs/MultiArrayDimension", "string label\nuint32 size\nuint32 stride\n"},
@@ -58,6 +58,19 @@ constexpr std::array<Definition, 28> definitions{{
     {"ddtool_msgs/ParticleSnapshot",
      "builtin_interfaces/Time stamp\nuint64 update\ngeometry_msgs/Pose2D odometry_motion\nfloat64 degeneracy\n"
      "ddtool_msgs/SnapshotParticle[] particles\n"},
+    {"ddtool_msgs/MapHeader",
+     "uint32 format\nstring program\nstring settings\nfloat64 cell_size\nint32 hit_step\nint32 free_step\n"
+     "int32 min_log_odds\nint32 max_log_odds\n"},
+    {"ddtool_msgs/MapScan",
+     "builtin_interfaces/Time stamp\nuint32 drive\ngeometry_msgs/Pose2D odometry\nfloat64 duration\nfloat64 degree\n"
+     "float64[] lidars\nuint32[] beginnings\nfloat64 unit\nint16[] x\nint16[] y\nint16[] normal\nuint8[] along\n"
+     "uint8[] order_gap\n"},
+    {"ddtool_msgs/MapDrive", "string log\nuint32 has_odometry\nfloat64[] odometry\n"},
+    {"ddtool_msgs/MapEdge",
+     "uint32 kind\nuint32 from\nuint32 to\ngeometry_msgs/Pose2D measured\nfloat64[] information\nfloat64 weight\n"},
+    {"ddtool_msgs/MapGraph", "geometry_msgs/Pose2D[] poses\nddtool_msgs/MapEdge[] edges\n"},
+    {"ddtool_msgs/MapTile", "int32 column\nint32 row\nint8[] log_odds\nint8[] means\n"},
+    {"ddtool_msgs/MapEnd", "uint64 scans\nuint64 drives\nuint64 tiles\n"},
 }};
 
 std::string_view definition_of(std::string_view type) {

@@ -285,6 +285,98 @@ struct RosParticleSnapshot {
     }
 };
 
+/// Messages of a saved map: docs/formats/map-file.md.
+struct RosMapHeader {
+    static constexpr const char* type_name = "ddtool_msgs/msg/MapHeader";
+    std::uint32_t format = 0;
+    std::string program;
+    std::string settings;  ///< JSON
+    double cell_size = 0.0;
+    std::int32_t hit_step = 0;
+    std::int32_t free_step = 0;
+    std::int32_t min_log_odds = 0;
+    std::int32_t max_log_odds = 0;
+
+    static void fields(auto& message, auto& archive) {
+        archive(message.format, message.program, message.settings, message.cell_size, message.hit_step,
+                message.free_step, message.min_log_odds, message.max_log_odds);
+    }
+};
+
+struct RosMapScan {
+    static constexpr const char* type_name = "ddtool_msgs/msg/MapScan";
+    RosTime stamp;
+    std::uint32_t drive = 0;
+    RosPose2D odometry;
+    double duration = 0.0;
+    double degree = 0.0;
+    std::vector<double> lidars;             ///< x and y of each
+    std::vector<std::uint32_t> beginnings;  ///< first point of each lidar but the first
+    double unit = 0.0;
+    std::vector<std::int16_t> x;
+    std::vector<std::int16_t> y;
+    std::vector<std::int16_t> normal;
+    std::vector<std::uint8_t> along;
+    std::vector<std::uint8_t> order_gap;
+
+    static void fields(auto& message, auto& archive) {
+        archive(message.stamp, message.drive, message.odometry, message.duration, message.degree, message.lidars,
+                message.beginnings, message.unit, message.x, message.y, message.normal, message.along,
+                message.order_gap);
+    }
+};
+
+struct RosMapDrive {
+    static constexpr const char* type_name = "ddtool_msgs/msg/MapDrive";
+    std::string log;
+    std::uint32_t has_odometry = 0;
+    std::vector<double> odometry;
+
+    static void fields(auto& message, auto& archive) { archive(message.log, message.has_odometry, message.odometry); }
+};
+
+struct RosMapEdge {
+    std::uint32_t kind = 0;
+    std::uint32_t from = 0;
+    std::uint32_t to = 0;
+    RosPose2D measured;
+    std::vector<double> information;  ///< xx, xy, xt, yy, yt, tt
+    double weight = 0.0;
+
+    static void fields(auto& message, auto& archive) {
+        archive(message.kind, message.from, message.to, message.measured, message.information, message.weight);
+    }
+};
+
+struct RosMapGraph {
+    static constexpr const char* type_name = "ddtool_msgs/msg/MapGraph";
+    std::vector<RosPose2D> poses;
+    std::vector<RosMapEdge> edges;
+
+    static void fields(auto& message, auto& archive) { archive(message.poses, message.edges); }
+};
+
+struct RosMapTile {
+    static constexpr const char* type_name = "ddtool_msgs/msg/MapTile";
+    std::int32_t column = 0;
+    std::int32_t row = 0;
+    std::vector<std::int8_t> log_odds;
+    std::vector<std::int8_t> means;
+
+    static void fields(auto& message, auto& archive) {
+        archive(message.column, message.row, message.log_odds, message.means);
+    }
+};
+
+struct RosMapEnd {
+    static constexpr const char* type_name = "ddtool_msgs/msg/MapEnd";
+    std::uint64_t scans = 0;
+    std::uint64_t drives = 0;
+    std::uint64_t tiles = 0;
+
+    static void fields(auto& message, auto& archive) { archive(message.scans, message.drives, message.tiles); }
+};
+
 /// A message type of ddtool: docs/formats/results.md.
 struct RosDegeneracy {
     static constexpr const char* type_name = "ddtool_msgs/msg/Degeneracy";

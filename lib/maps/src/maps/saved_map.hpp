@@ -1,0 +1,60 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ddtool/filter/occupancy_grid.hpp"
+#include "ddtool/filter/odometry_model.hpp"
+#include "ddtool/system/settings.hpp"
+#include "graph/local_track.hpp"
+#include "graph/pose_graph.hpp"
+
+namespace ddtool::maps {
+
+/// A drive that went into a map.
+struct Drive {
+    std::string log;                        ///< the name of its log
+    std::optional<OdometryState> odometry;  ///< what was learnt of its odometry
+};
+
+/// A scan that was drawn into a map.
+struct MapNode {
+    std::uint32_t drive = 0;
+    graph::Node scan;
+    Pose2 pose;  ///< map_from_robot
+};
+
+/// What ties two nodes to each other, as the pose graph had it.
+struct MapEdge {
+    enum class Kind : std::uint32_t { odometry = 0, match = 1, loop = 2 };
+    Kind kind = Kind::odometry;
+    graph::RelativeEdge edge;
+};
+
+/// A map with what is needed to localise in it, to go on with it and to change it. A map that comes from a picture has
+/// a grid alone.
+struct SavedMap {
+    explicit SavedMap(const OccupancySettings& cells) : grid(cells) {}
+
+    std::string program;             ///< what wrote it
+    Json settings = Json::object();  ///< of the run that made it
+    std::vector<Drive> drives;
+    std::vector<MapNode> nodes;  ///< in the order in which they were drawn; drive after drive
+    std::vector<MapEdge> edges;  ///< empty where there was no pose graph
+    OccupancyGrid grid;          ///< what the nodes' scans give, drawn at their poses
+};
+
+/// The edges of a solved graph, its odometry calibrated. Loops without weight are left out.
+std::vector<MapEdge> edges_of(const graph::PoseGraph& graph);
+
+/// The nodes and edges as a graph. Where the map has no edges, those of the odometry take their place, with what was
+/// learnt of it.
+graph::PoseGraph graph_of(const SavedMap& map);
+
+/// Draws the nodes' scans anew. Throws MapTooLarge.
+OccupancyGrid drawn(const std::vector<MapNode>& nodes, const OccupancySettings& cells);
+
+}  // namespace ddtool::maps
