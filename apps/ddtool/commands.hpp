@@ -13,6 +13,7 @@ Command eval_command();
 Command export_command();
 Command info_command();
 Command man_command();
+Command map_command();
 Command score_command();
 Command settings_command();
 Command simulate_command();

@@ -59,4 +59,34 @@ std::vector<std::uint8_t> read_grey_png(const std::filesystem::path& path, std::
     return pixels;
 }
 
+GreyPicture read_png(const std::filesystem::path& path, std::size_t most_pixels) {
+    png_image header{};
+    header.version = PNG_IMAGE_VERSION;
+    if (png_image_begin_read_from_file(&header, path.c_str()) == 0) {
+        throw Error(path.string() + ": cannot read as PNG: " + std::string(header.message));
+    }
+    if (std::size_t{header.width} * header.height > most_pixels) {
+        png_image_free(&header);
+        throw Error(path.string() + ": " + std::to_string(header.width) + " x " + std::to_string(header.height) +
+                    " pixels; expected at most " + std::to_string(most_pixels) + " in all");
+    }
+    header.format = PNG_FORMAT_RGBA;
+    GreyPicture picture{.width_px = header.width, .height_px = header.height, .grey = {}, .opacity = {}};
+    std::vector<std::uint8_t> colours(PNG_IMAGE_SIZE(header));
+    if (png_image_finish_read(&header, nullptr, colours.data(), 0, nullptr) == 0) {
+        throw Error(path.string() + ": damaged PNG: " + std::string(header.message));
+    }
+    constexpr std::size_t channels = 4;
+    bool transparent = false;
+    for (std::size_t i = 0; i < colours.size(); i += channels) {
+        picture.grey.push_back(static_cast<std::uint8_t>((colours[i] + colours[i + 1] + colours[i + 2]) / 3));
+        picture.opacity.push_back(colours[i + 3]);
+        transparent = transparent || colours[i + 3] != 255;
+    }
+    if (!transparent) {
+        picture.opacity.clear();
+    }
+    return picture;
+}
+
 }  // namespace ddtool

@@ -37,4 +37,16 @@ void write_png(const std::filesystem::path& path, const PixelView& image);
 /// so that a damaged header cannot claim all memory. Throws Error naming the file and what it contains instead.
 std::vector<std::uint8_t> read_grey_png(const std::filesystem::path& path, std::size_t width_px, std::size_t height_px);
 
+/// A picture as it is stored in a file, brought to 8 bits: row by row from the top.
+struct GreyPicture {
+    std::size_t width_px = 0;
+    std::size_t height_px = 0;
+    std::vector<std::uint8_t> grey;     ///< the mean of red, green and blue
+    std::vector<std::uint8_t> opacity;  ///< 255 where nothing is transparent; empty if nothing is anywhere
+};
+
+/// Reads a PNG file of any kind. Throws Error naming the file if it is no PNG, damaged, or has more pixels than
+/// `most_pixels`.
+GreyPicture read_png(const std::filesystem::path& path, std::size_t most_pixels);
+
 }  // namespace ddtool
