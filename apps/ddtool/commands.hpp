@@ -12,6 +12,7 @@ Command dataset_command();
 Command eval_command();
 Command export_command();
 Command info_command();
+Command localize_command();
 Command man_command();
 Command map_command();
 Command score_command();

@@ -1,6 +1,7 @@
 #include "setting_lists.hpp"
 
 #include "dataset/build_settings.hpp"
+#include "localization/localization_settings.hpp"
 #include "log_options.hpp"
 #include "methods/settings_json.hpp"
 #include "sim/simulation_json.hpp"
@@ -28,6 +29,12 @@ Json default_slam_settings() {
     return {{"log", default_log_settings()}, {"filter", filter_settings_json({})}, {"back_end", "none"}};
 }
 
+Json default_localize_settings() {
+    Json settings{{"log", default_log_settings()}};
+    settings.update(localization::default_localization_json());
+    return settings;
+}
+
 bool asks_for_graph(const Json& settings) {
     expect_allowed(settings, {back_end_setting()}, "");
     return settings.at("back_end") == "graph";
@@ -36,10 +43,14 @@ bool asks_for_graph(const Json& settings) {
 std::vector<SettingList> setting_lists() {
     // a named object, because GCC 12 warns that a temporary might be used uninitialised
     const train::TrainSettings training;
+    std::vector<Setting> localize{group("log", log_setting_list())};
+    const std::vector<Setting> in_map = localization::localization_setting_list();
+    localize.insert(localize.end(), in_map.begin(), in_map.end());
     return {
         {"slam",
          {group("log", log_setting_list()), group("filter", filter_setting_list()), back_end_setting()},
          default_slam_settings()},
+        {"localize", std::move(localize), default_localize_settings()},
         {"simulate", sim::simulation_setting_list(), sim::default_simulation_json()},
         {"build-dataset", dataset::build_setting_list(), dataset::default_build_json()},
         {"train", train::train_setting_list(), training},

@@ -20,6 +20,9 @@ std::vector<SettingList> setting_lists();
 /// The settings of slam with their defaults.
 Json default_slam_settings();
 
+/// The settings of localize with their defaults.
+Json default_localize_settings();
+
 /// Whether the settings of slam ask for the pose graph. Throws UsageError for a value that `back_end` cannot have.
 bool asks_for_graph(const Json& settings);
 

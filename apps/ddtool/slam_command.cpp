@@ -12,12 +12,12 @@
 #include "detectors.hpp"
 #include "graph/back_end.hpp"
 #include "graph/node_recorder.hpp"
-#include "log_options.hpp"
-#include "logs/stream/live_log.hpp"
+#include "live_run_options.hpp"
+#include "localization/localizer.hpp"
+#include "maps/map_file.hpp"
 #include "methods/settings_json.hpp"
+#include "number_list.hpp"
 #include "output_folder.hpp"
-#include "run/live_run.hpp"
-#include "run/live_server.hpp"
 #include "run/run_folder.hpp"
 #include "run/run_page.hpp"
 #include "run/run_summary.hpp"
@@ -32,29 +32,21 @@
 namespace ddtool {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
 struct SlamRequest {
-    std::string log;
-    bool follow = false;
+    LiveRunRequest run;
+    std::string map;
+    std::string initial_pose;
     std::string folder;
     std::size_t threads = 0;
     bool with_snapshots = false;
     bool as_json = false;
-    bool serve = false;
-    std::uint16_t port = 8765;
-    std::string address = "127.0.0.1";
 };
 
-/// The server of --serve, and the messages of the run that it sends.
-struct Served {
-    Served(const std::string& address, std::uint16_t port) : server(address, port) {
-        log_info("serving the run at ws://" + server.place() + " (Foxglove WebSocket)");
-    }
-
-    LiveServer server;
-    LiveRun run{server};
-};
+/// Whether scans enter the map that the filter has.
+bool maps_now(const ParticleFilter& filter) {
+    const auto* const localizer = dynamic_cast<const localization::Localizer*>(&filter);
+    return localizer == nullptr || localizer->is_mapping();
+}
 
 /// Runs the filter over the scans. The filter is destroyed at the end, so that the memory of its particles can be
 /// returned before the pictures are drawn.
@@ -62,14 +54,19 @@ FilterRun run_over(DrivenScans& scans, std::unique_ptr<ParticleFilter> filter, c
                    RunFolder& folder, check::SelfCheck& check, graph::NodeRecorder& recorder, graph::BackEnd* back_end,
                    Served* served) {
     Progress progress("slam", "scans");
-    return run_filter(scans, *filter, [&](const SensorFrame& frame, const std::optional<Update>& update) {
+    bool was_mapping = maps_now(*filter);
+    FilterRun run = run_filter(scans, *filter, [&](const SensorFrame& frame, const std::optional<Update>& update) {
         folder.add(frame, update, *filter);
         check.add(frame, update);
-        if (std::optional<graph::Node> node = recorder.add(frame, update)) {
+        if (std::optional<graph::Node> node = recorder.add(frame, update); node && was_mapping) {
             folder.add(*node);
             if (back_end != nullptr) {
                 back_end->add(std::move(*node));
             }
+        }
+        if (!was_mapping && maps_now(*filter)) {
+            was_mapping = true;
+            recorder.restart();
         }
         if (served != nullptr) {
             served->run.add(frame, update, *filter);
@@ -77,6 +74,7 @@ FilterRun run_over(DrivenScans& scans, std::unique_ptr<ParticleFilter> filter, c
         progress.update(scans.fraction_read(), scans.summary().scans);
         return !interrupt.made();
     });
+    return run;
 }
 
 std::optional<graph::BackEnd> back_end_of(const Json& settings, const FilterSettings& filter) {
@@ -86,12 +84,12 @@ std::optional<graph::BackEnd> back_end_of(const Json& settings, const FilterSett
 /// Replaces the path and the map of the run by those of the back end. Where it cannot finish, the run stays as the
 /// filter made it, and `problem` says why.
 std::optional<BackEndResults> smoothed(const graph::BackEnd& back_end, FilterRun& run, std::string& problem) {
-    const auto start = Clock::now();
+    const auto start = std::chrono::steady_clock::now();
     const double cpu_before_s = process_usage().cpu_s;
     try {
         BackEndResults results{
             .smoothed = back_end.finish(run.trajectory), .by_filter = run.trajectory, .ground_truth = run.ground_truth};
-        results.wall_s = std::chrono::duration<double>(Clock::now() - start).count();
+        results.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
         results.cpu_s = process_usage().cpu_s - cpu_before_s;
         run.trajectory = results.smoothed.trajectory;
         if (results.smoothed.map) {
@@ -104,24 +102,6 @@ std::optional<BackEndResults> smoothed(const graph::BackEnd& back_end, FilterRun
     }
 }
 
-/// The reasons, other than damage, why less of the log was used than it holds or a run needs.
-std::vector<std::string> shortfalls(const std::string& file, const LogSummary& log, const InterruptRequest& interrupt,
-                                    const FilterRun& run) {
-    std::vector<std::string> lines;
-    if (interrupt.made()) {
-        lines.push_back("interrupted: the results end after scan " + std::to_string(run.trajectory.size()));
-    }
-    if (!run.ended_early.empty()) {
-        lines.push_back(file + ": " + run.ended_early + "; the results end after scan " +
-                        std::to_string(run.trajectory.size()));
-    }
-    if (!log.has_odometry) {
-        lines.push_back(
-            file + ": without odometry the motion was worked out from the scans, which fails where they look alike");
-    }
-    return lines;
-}
-
 /// One line for each reason of the self-check.
 std::vector<std::string> doubts_of(const check::Verdict& verdict) {
     std::vector<std::string> lines;
@@ -131,52 +111,73 @@ std::vector<std::string> doubts_of(const check::Verdict& verdict) {
     return lines;
 }
 
-RunCost run_cost(std::size_t threads, Clock::time_point start) {
-    const ProcessUsage usage = process_usage();
-    return {.threads = threads,
-            .wall_s = std::chrono::duration<double>(Clock::now() - start).count(),
-            .cpu_s = usage.cpu_s,
-            .peak_memory_bytes = usage.peak_memory_bytes};
+/// The map of a map file that the run goes on with; its limit on memory is that of the run's maps. Empty if none was
+/// given.
+std::optional<maps::SavedMap> map_before(const SlamRequest& request, const OccupancySettings& cells) {
+    if (request.map.empty()) {
+        return std::nullopt;
+    }
+    maps::SavedMap map = maps::read_map(request.map, maps::MapParts::all,
+                                        cells.most_memory_mib > 0 ? cells.most_memory_mib : usual_most_memory_mib());
+    if (map.nodes.empty()) {
+        throw Error(request.map + ": a map without scans; expected a map.ddmap of a run");
+    }
+    return map;
 }
 
-std::unique_ptr<LogStream> open(const SlamRequest& request, const LogOptions& options,
-                                const InterruptRequest& interrupt, LogReport& problems) {
-    const auto stop = [&interrupt] { return interrupt.made(); };
-    if (request.log != "-") {
-        return request.follow ? follow_log(request.log, options, stop, problems.handler())
-                              : open_log(request.log, options, problems.handler());
+/// The filter of the settings, or with a map of before one that finds itself in it and maps on.
+std::unique_ptr<ParticleFilter> filter_of(const SlamRequest& request, const FilterSettings& settings,
+                                          const DetectorTable& detectors, ThreadPool& threads,
+                                          const std::optional<maps::SavedMap>& before) {
+    if (!before) {
+        return make_filter(settings, detectors, threads);
     }
-    if (request.follow) {
-        throw UsageError("--follow: expected the file that is being written; standard input ends by itself");
+    if (settings.rbpf.likelihood_gain <= 0.0) {
+        throw UsageError("filter.likelihood_gain: expected more than 0 with --map, whose places are weighed by it");
     }
-    return open_standard_input(options, stop, problems.handler());
+    const std::optional<localization::StartPose> start =
+        request.initial_pose.empty()
+            ? std::nullopt
+            : std::optional(localization::StartPose{.pose = pose_option("--initial-pose", request.initial_pose)});
+    return std::make_unique<localization::Localizer>(
+        settings.rbpf, localization::ModeResamplingSettings{.least_particles = settings.rbpf.particles}, threads,
+        make_strategies(settings, detectors), std::make_shared<const OccupancyGrid>(before->grid), start,
+        localization::MapUse::going_on);
 }
 
 ExitCode slam(const SlamRequest& request, const Json& settings) {
-    const auto start = Clock::now();
-    const FilterSettings filter_settings = filter_settings_from_json(settings.at("filter"));
+    const auto start = std::chrono::steady_clock::now();
+    FilterSettings filter_settings = filter_settings_from_json(settings.at("filter"));
     std::optional<graph::BackEnd> back_end = back_end_of(settings, filter_settings);
+    if (back_end && !request.map.empty()) {
+        throw UsageError("--back-end: expected none with --map: the graph of a run cannot hold the map of before");
+    }
+    const std::optional<maps::SavedMap> before = map_before(request, filter_settings.rbpf.grid);
+    if (before) {
+        filter_settings.rbpf.grid = before->grid.settings();
+    }
     ThreadPool threads(request.threads);
     const auto truth = std::make_shared<ScanTruth>();
     DetectorTable detectors = all_detectors();
     detectors.know(truth);
     // The detector is made before the log is opened, because a detector that needs LibTorch starts the command anew.
-    std::unique_ptr<ParticleFilter> filter = make_filter(filter_settings, detectors, threads);
-    const auto served = request.serve ? std::make_unique<Served>(request.address, request.port) : nullptr;
+    std::unique_ptr<ParticleFilter> filter = filter_of(request, filter_settings, detectors, threads, before);
+    const std::unique_ptr<Served> served = served_by(request.run);
     LogReport problems;
     const InterruptRequest interrupt;
-    DrivenScans scans(open(request, log_options(settings.at("log")), interrupt, problems), filter_settings.rbpf);
+    DrivenScans scans(open_run_log(request.run, log_options(settings.at("log")), interrupt, problems),
+                      filter_settings.rbpf);
     scans.tell_truth(truth);
-    const OutputFolder output(request.folder, name_of_results(request.log));
+    const OutputFolder output(request.folder, name_of_results(request.run.log));
     RunFolder folder(output.path(), request.with_snapshots);
-    folder.begin_map_file(program_version(), settings, filter_settings.rbpf.grid);
+    folder.begin_map_file(program_version(), settings, filter_settings.rbpf.grid, before ? &*before : nullptr);
     check::SelfCheck check;
     graph::NodeRecorder recorder(filter_settings.rbpf);
     FilterRun result = run_over(scans, std::move(filter), interrupt, folder, check, recorder,
                                 back_end ? &*back_end : nullptr, served.get());
     return_freed_memory();  // returns the memory of the particles' maps before the pictures are drawn
     if (result.trajectory.empty()) {
-        throw Error(request.log + ": no scans that can be used");
+        throw Error(request.run.log + ": no scans that can be used");
     }
     std::string back_end_problem;
     const std::optional<BackEndResults> results_of_back_end =
@@ -187,13 +188,14 @@ ExitCode slam(const SlamRequest& request, const Json& settings) {
     }
     folder.finish(result, map);
     folder.write_back_end(results_of_back_end ? &*results_of_back_end : nullptr);
-    folder.finish_map_file(request.log, result, results_of_back_end ? &results_of_back_end->smoothed.graph : nullptr);
+    folder.finish_map_file(request.run.log, result,
+                           results_of_back_end ? &results_of_back_end->smoothed.graph : nullptr);
     folder.write_json("config.json", settings);
     const RunSummary run = run_summary(result, map, folder.course(), folder.write_s());
     const RunCost cost = run_cost(request.threads, start);
     const check::Evidence evidence = check.evidence(result.trajectory);
     const check::Verdict verdict = check::verdict_of(evidence);
-    const Json log = log_report(request.log, scans.summary());
+    const Json log = log_report(request.run.log, scans.summary());
     const Json versions = version_report();
     const Json results{{"command", "slam"},
                        {"versions", versions},
@@ -207,23 +209,27 @@ ExitCode slam(const SlamRequest& request, const Json& settings) {
                        {"back_end", results_of_back_end ? back_end_json(*results_of_back_end) : Json()},
                        {"cost", cost}};
     folder.write_json("run.json", results);
-    std::vector<std::string> losses = shortfalls(request.log, scans.summary(), interrupt, result);
+    std::vector<std::string> losses = shortfalls(request.run.log, scans.summary(), interrupt.made(), result);
     const std::vector<std::string> doubts = doubts_of(verdict);
+    if (before && folder.scans_in_map() == 0) {
+        losses.push_back(request.run.log + ": the robot was never sure of its place in " + request.map +
+                         ": nothing was added to the map");
+    }
     if (!back_end_problem.empty()) {
-        losses.push_back(request.log + ": " + back_end_problem);
+        losses.push_back(request.run.log + ": " + back_end_problem);
     }
     losses.insert(losses.end(), doubts.begin(), doubts.end());
     std::vector<std::string> warnings = log_warnings(scans.summary());
     warnings.insert(warnings.end(), losses.begin(), losses.end());
     const bool has_page = folder.write_page([&] {
-        return run_page({.log_file = request.log,
+        return run_page({.log_file = request.run.log,
                          .warnings = warnings,
                          .run = result,
                          .map = map,
                          .course = folder.course(),
                          .summary = run,
                          .cost = cost,
-                         .self_check = check::name_of(verdict.standing),
+                         .first_facts = {{"self-check", check::name_of(verdict.standing)}},
                          .image = image_seen_by(parts_of(filter_settings.method).detector),
                          .back_end = results_of_back_end ? &*results_of_back_end : nullptr,
                          .settings = settings,
@@ -237,11 +243,7 @@ ExitCode slam(const SlamRequest& request, const Json& settings) {
     std::for_each(losses.begin(), losses.end(), log_warning);
     log_info("next: open " + (output.path() / "report.html").string() +
              " in a browser; to train a detector of degeneracy: ddtool build-dataset");
-    if (served && !interrupt.made()) {
-        log_info("the run is over; its map is served until Ctrl-C");
-        std::cout.flush();
-        interrupt.wait();
-    }
+    serve_on(served.get(), interrupt);
     return losses.empty() && has_page ? log_loss : ExitCode::done_with_loss;
 }
 
@@ -249,40 +251,40 @@ ExitCode slam(const SlamRequest& request, const Json& settings) {
 
 Command slam_command() {
     const auto request = std::make_shared<SlamRequest>();
-    std::vector<Option> options{
-        {"--log", &request->log, log_file_help + std::string("; - is MCAP from standard input"), "FILE",
-         Presence::required},
-        {"--follow", &request->follow, "The log is MCAP that is still being written: wait for more, up to its footer"},
-        {"--out", &request->folder, "Folder for the results; if not given, a new one named after the log", "DIR"},
-        {"--method", SettingPath{"filter.method"}, "What the filter does about degeneracy", choices(method_names())},
-        {"--detector", SettingPath{"filter.detector"},
-         "What tells the degree, or a model's file; empty: the method's own",
-         choices(all_detectors().names()) + "|FILE"},
-        {"--back-end", SettingPath{"back_end"},
-         "graph: at the end, close loops and smooth the path with a pose graph, and draw the map anew", "graph|none"},
-        {"--particles", SettingPath{"filter.particles"}, "Hypotheses, each with its own map"},
-        {"--seed", SettingPath{"filter.seed"}, "Of all chance: the same seed gives the same result"},
-        {"--max-memory", SettingPath{"filter.grid.most_memory_mib"},
-         "The run ends with what it has when its maps would take more MiB; 0: three quarters of what is free"},
-        {"--threads", &request->threads, "0: every core; the result does not depend on it", "INT"},
-    };
-    append_log_options(options);
+    std::vector<Option> options;
+    append_input_options(options, request->run);
     options.insert(
         options.end(),
-        {{.name = "--serve",
-          .value = &request->port,
-          .help = "Show the run as it goes on to Foxglove or Lichtblick, at this port (0: any that is free); "
-                  "after the end of the log the map stays to be seen until Ctrl-C",
-          .type = "PORT",
-          .alone = "8765",
-          .given = &request->serve},
-         {.name = "--serve-address",
-          .value = &request->address,
-          .help = "This machine's address that others may connect to; 127.0.0.1 is for itself alone, 0.0.0.0 all",
-          .type = "ADDRESS",
-          .needs = "--serve"},
-         {"--snapshots", &request->with_snapshots, "Write snapshots.mcap, too: the particles before each resampling"},
-         {"--json", &request->as_json, "Print run.json instead of a summary"}});
+        {
+            {"--map", &request->map,
+             "Go on with this map, a map.ddmap of a run: the robot finds its place in it first, and its origin stays",
+             "FILE.ddmap"},
+            {.name = "--initial-pose",
+             .value = &request->initial_pose,
+             .help = "Where the robot is at the first scan, in metres and radians in the map; else the whole map is "
+                     "searched",
+             .type = "X,Y,YAW",
+             .needs = "--map"},
+            {"--out", &request->folder, "Folder for the results; if not given, a new one named after the log", "DIR"},
+            {"--method", SettingPath{"filter.method"}, "What the filter does about degeneracy",
+             choices(method_names())},
+            {"--detector", SettingPath{"filter.detector"},
+             "What tells the degree, or a model's file; empty: the method's own",
+             choices(all_detectors().names()) + "|FILE"},
+            {"--back-end", SettingPath{"back_end"},
+             "graph: at the end, close loops and smooth the path with a pose graph, and draw the map anew",
+             "graph|none"},
+            {"--particles", SettingPath{"filter.particles"}, "Hypotheses, each with its own map"},
+            {"--seed", SettingPath{"filter.seed"}, "Of all chance: the same seed gives the same result"},
+            {"--max-memory", SettingPath{"filter.grid.most_memory_mib"},
+             "The run ends with what it has when its maps would take more MiB; 0: three quarters of what is free"},
+            {"--threads", &request->threads, "0: every core; the result does not depend on it", "INT"},
+        });
+    append_log_options(options);
+    append_serve_options(options, request->run);
+    options.insert(options.end(), {{"--snapshots", &request->with_snapshots,
+                                    "Write snapshots.mcap, too: the particles before each resampling"},
+                                   {"--json", &request->as_json, "Print run.json instead of a summary"}});
     return {.name = "slam",
             .summary = "Map and trajectory from a log",
             .example = "ddtool slam --log run.mcap",

@@ -1,6 +1,7 @@
 #include "slam_report.hpp"
 
 #include "base/text.hpp"
+#include "system/process_usage.hpp"
 #include "version.hpp"
 
 namespace ddtool {
@@ -32,8 +33,9 @@ Json version_report() {
     return report;
 }
 
-std::string slam_summary(const RunSummary& run, const RunCost& cost, const std::string& self_check,
-                         const std::string& folder, const std::vector<std::string>& files) {
+namespace {
+
+std::string summary_begin(const RunSummary& run) {
     std::string text = "scans    " + std::to_string(run.scans) + " in " + fixed_text(run.duration_s, 1) + " s; " +
                        std::to_string(run.updates) + " filter updates, " + std::to_string(run.resamplings) +
                        " resamplings\n";
@@ -43,10 +45,54 @@ std::string slam_summary(const RunSummary& run, const RunCost& cost, const std::
         text += "error    " + fixed_text(run.errors->absolute->translation_m.rmse, 3) +
                 " m rmse against the ground truth (ATE)\n";
     }
-    text += "check    " + self_check + "\n";
-    text += "cost     " + fixed_text(cost.wall_s, 1) + " s, " + fixed_text(cost.cpu_s, 1) + " s of CPU time, " +
-            fixed_text(1e-6 * static_cast<double>(cost.peak_memory_bytes), 0) + " MB of memory\n";
-    return text + "written  " + folder + ": " + joined(files) + "\n";
+    return text;
+}
+
+std::string summary_end(const RunCost& cost, const std::string& folder, const std::vector<std::string>& files) {
+    return "cost     " + fixed_text(cost.wall_s, 1) + " s, " + fixed_text(cost.cpu_s, 1) + " s of CPU time, " +
+           fixed_text(1e-6 * static_cast<double>(cost.peak_memory_bytes), 0) + " MB of memory\n" + "written  " +
+           folder + ": " + joined(files) + "\n";
+}
+
+}  // namespace
+
+std::string slam_summary(const RunSummary& run, const RunCost& cost, const std::string& self_check,
+                         const std::string& folder, const std::vector<std::string>& files) {
+    return summary_begin(run) + "check    " + self_check + "\n" + summary_end(cost, folder, files);
+}
+
+std::string localize_summary(const RunSummary& run, const RunCost& cost, const LocalizationCourse& course,
+                             const std::string& folder, const std::vector<std::string>& files) {
+    std::string place = "place    ";
+    for (const auto& [name, value] : course.facts()) {
+        place += (place.back() == ' ' ? "" : ", ") + name + " " + value;
+    }
+    return summary_begin(run) + place + "\n" + summary_end(cost, folder, files);
+}
+
+std::vector<std::string> shortfalls(const std::string& file, const LogSummary& log, bool interrupted,
+                                    const FilterRun& run) {
+    std::vector<std::string> lines;
+    if (interrupted) {
+        lines.push_back("interrupted: the results end after scan " + std::to_string(run.trajectory.size()));
+    }
+    if (!run.ended_early.empty()) {
+        lines.push_back(file + ": " + run.ended_early + "; the results end after scan " +
+                        std::to_string(run.trajectory.size()));
+    }
+    if (!log.has_odometry) {
+        lines.push_back(
+            file + ": without odometry the motion was worked out from the scans, which fails where they look alike");
+    }
+    return lines;
+}
+
+RunCost run_cost(std::size_t threads, std::chrono::steady_clock::time_point start) {
+    const ProcessUsage usage = process_usage();
+    return {.threads = threads,
+            .wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(),
+            .cpu_s = usage.cpu_s,
+            .peak_memory_bytes = usage.peak_memory_bytes};
 }
 
 }  // namespace ddtool

@@ -53,9 +53,12 @@ ScanMatch InformationFusion::correct(const MatchContext& context, const ScanMatc
     }
     Eigen::Matrix3d match = Eigen::Matrix3d::Zero();
     Eigen::Vector3d apart = Eigen::Vector3d::Zero();
-    Eigen::Matrix3d odometry = context.odometry_information;
+    Eigen::Matrix3d odometry = context.pose_information.value_or(context.odometry_information);
     if (matched) {
-        match = credible_information(found.information, odometry, normal_error_rad, context.degeneracy.degree);
+        // Even in a known map the match is judged against the last motion: what hardly holds the robot beside it is as
+        // little to be believed where nothing has held the robot for long.
+        match = credible_information(found.information, context.odometry_information, normal_error_rad,
+                                     context.degeneracy.degree);
         apart = offset(context.odometry, found.pose) + offset_without_prior(found, context.predicted, context.prior);
         odometry = cautious(odometry, match, apart, settings_.most_deviations);
     }

@@ -14,7 +14,7 @@ namespace ddtool {
 namespace {
 
 /// Keys of random streams by purpose, so that no two draws share a stream.
-enum Purpose : std::uint64_t { motion_draw = 1, resampling_draw = 2 };
+enum Purpose : std::uint64_t { motion_draw = 1, resampling_draw = 2, place_draw = 3 };
 
 /// The motion of the robot as a share of the motion that triggers an update; from 1 on an update is due.
 double motion_share(const Pose2& motion, const RbpfSettings& settings) {
@@ -41,7 +41,11 @@ PosePrior prior_of(const Pose2& motion, const MotionNoise& noise) {
 }  // namespace
 
 Rbpf::Rbpf(const RbpfSettings& settings, ThreadPool& threads, FilterStrategies strategies)
-    : settings_(settings), threads_(threads), strategies_(std::move(strategies)) {
+    : Rbpf(settings, threads, std::move(strategies), nullptr) {}
+
+Rbpf::Rbpf(const RbpfSettings& settings, ThreadPool& threads, FilterStrategies strategies,
+           std::shared_ptr<const OccupancyGrid> known_map)
+    : settings_(settings), threads_(threads), strategies_(std::move(strategies)), known_map_(std::move(known_map)) {
     if (!strategies_.resampling) {
         strategies_.resampling = std::make_shared<SystematicResampling>();
     }
@@ -51,8 +55,56 @@ Rbpf::Rbpf(const RbpfSettings& settings, ThreadPool& threads, FilterStrategies s
     }
 }
 
+void Rbpf::place(std::span<const Hypothesis> hypotheses, double kept_share) {
+    const PathRecord::Node past = particles_.empty() ? PoseHistory::none : best().past;
+    const double exponent = gain();
+    std::vector<double> log_weights;
+    for (const Particle& particle : particles_) {
+        log_weights.push_back(exponent * particle.log_likelihood);
+    }
+    if (kept_share > 0.0) {
+        const std::vector<double> weights = normalised_weights(log_weights);
+        for (std::size_t index = 0; index < particles_.size(); ++index) {
+            particles_[index].log_likelihood = std::log(kept_share * weights[index]) / exponent;
+        }
+    }
+    std::vector<Particle> next;
+    if (kept_share > 0.0) {
+        next = std::move(particles_);
+    }
+    const std::size_t kept = next.size();
+    for (const Hypothesis& hypothesis : hypotheses) {
+        next.push_back({.pose = hypothesis.pose,
+                        .pose_before = hypothesis.pose,
+                        .predicted_motion = {},
+                        .matched_motion = {},
+                        .match_start = hypothesis.pose,
+                        .match = {},
+                        .log_likelihood = hypothesis.log_weight / exponent,
+                        .past = past,
+                        .grid = OccupancyGrid(settings_.grid),
+                        .covariance = hypothesis.covariance});
+        if (past != PoseHistory::none) {
+            path_.acquire(past);
+        }
+    }
+    if (kept == 0 && past != PoseHistory::none) {
+        for (const Particle& particle : particles_) {
+            path_.release(particle.past);
+        }
+    }
+    particles_ = std::move(next);
+}
+
+void Rbpf::map_on() {
+    for (Particle& particle : particles_) {
+        particle.grid = *known_map_;
+    }
+    known_map_.reset();
+}
+
 std::optional<Update> Rbpf::update(const SensorFrame& frame) {
-    const bool first = particles_.empty();
+    const bool first = updates_ == 0;
     const Pose2 odometry_motion = first ? Pose2{} : between(odom_at_update_, frame.odom_from_robot);
     const double share = motion_share(odometry_motion, settings_);
     if (!first && share < 1.0) {
@@ -63,11 +115,11 @@ std::optional<Update> Rbpf::update(const SensorFrame& frame) {
     Update update;
     StageTimes& times = update.times;
     const PreparedScan scan = timed(times.prepare_s, [&] { return prepare(frame); });
-    if (first) {
+    if (first && !known_map_) {
         start(frame.odom_from_robot);
         update.matched = update.corrected = snapshot(frame, odometry_motion);
     } else {
-        const Step step = step_to(frame, odometry_motion);
+        const Step step = first ? step_to(frame, {}) : step_to(frame, odometry_motion);
         timed(times.match_s, [&] { propagate(step); });
         timed(times.match_s, [&] { match(scan, step); });
         reweight();
@@ -75,7 +127,9 @@ std::optional<Update> Rbpf::update(const SensorFrame& frame) {
         update.degeneracy = timed(times.detect_s, [&] { return detect(update.matched); });
         timed(times.correct_s, [&] { correct(scan, step, update.degeneracy); });
         update.corrected = strategies_.corrections.empty() ? update.matched : snapshot(frame, odometry_motion);
-        learn(scan, step);
+        if (!first) {
+            learn(scan, step);
+        }
     }
     update.pose = best().pose;
     update.covariance = covariance_ = best().covariance + pose_scatter(update.corrected.particles, best().pose);
@@ -86,7 +140,7 @@ std::optional<Update> Rbpf::update(const SensorFrame& frame) {
 }
 
 Rbpf::Step Rbpf::step_to(const SensorFrame& frame, const Pose2& odometry_motion) const {
-    const double duration_s = step_duration_s(stamp_at_update_ns_, frame.scan.stamp_ns);
+    const double duration_s = updates_ == 0 ? 0.0 : step_duration_s(stamp_at_update_ns_, frame.scan.stamp_ns);
     const Pose2 expected_motion = odometry_->expected(odometry_motion, duration_s);
     return {.odometry_motion = odometry_motion,
             .duration_s = duration_s,
@@ -107,6 +161,7 @@ void Rbpf::start(const Pose2& world_from_robot) {
                                                     .pose_before = world_from_robot,
                                                     .predicted_motion = {},
                                                     .matched_motion = {},
+                                                    .match_start = {},
                                                     .match = {},
                                                     .past = PoseHistory::none,
                                                     .grid = OccupancyGrid(settings_.grid)});
@@ -124,15 +179,39 @@ void Rbpf::propagate(const Step& step) {
     });
 }
 
+/// In a known map a match starts anywhere where the particle may be, so that the particles of one place search it all.
+Pose2 Rbpf::match_start(const Particle& particle, std::size_t index) const {
+    const Pose2 predicted = particle.pose_before * particle.predicted_motion;
+    if (!known_map_) {
+        return predicted;
+    }
+    RandomStream random({settings_.seed, place_draw, updates_, index});
+    const Eigen::Vector3d draw(random.normal(), random.normal(), random.normal());
+    const Eigen::Matrix3d root = particle.covariance.llt().matrixL();
+    return moved_by(predicted, root * draw);
+}
+
+PosePrior Rbpf::prior_of_match(const Particle& particle, const Step& step) const {
+    if (!known_map_) {
+        return step.prior;
+    }
+    const Eigen::Matrix3d to_world = turned_about_z(particle.pose_before.theta_rad);
+    const Eigen::Vector3d variances = (to_world.transpose() * particle.covariance * to_world).diagonal();
+    const auto widened = [](double sigma, double variance) { return std::sqrt(squared(sigma) + variance); };
+    return {widened(step.prior.sigma_along_m, variances.x()), widened(step.prior.sigma_across_m, variances.y()),
+            widened(step.prior.sigma_turn_rad, variances.z())};
+}
+
 /// If no match is accepted, the particle keeps its predicted pose.
 void Rbpf::match(const PreparedScan& scan, const Step& step) {
     threads_.for_each(particles_.size(), [&](std::size_t index, std::size_t worker) {
         Particle& particle = particles_[index];
         ScanMatcher& matcher = workers_[worker].matcher;
-        const Pose2 predicted = particle.pose_before * particle.predicted_motion;
-        particle.match = matcher.match(particle.grid, scan.match_points, predicted, step.prior);
+        const OccupancyGrid& grid = grid_of(particle);
+        particle.match_start = match_start(particle, index);
+        particle.match = matcher.match(grid, scan.match_points, particle.match_start, prior_of_match(particle, step));
         if (!particle.match.accepted()) {
-            particle.match = matcher.evaluate(particle.grid, scan.match_points, predicted);
+            particle.match = matcher.evaluate(grid, scan.match_points, particle.match_start);
         }
         particle.pose = particle.match.pose;
         particle.matched_motion = between(particle.pose_before, particle.pose);
@@ -158,14 +237,16 @@ void Rbpf::correct(const PreparedScan& scan, const Step& step, const Degeneracy&
             const Pose2& before = particle.pose_before;
             const MatchContext context{
                 .matcher = workers_[worker].matcher,
-                .grid = particle.grid,
+                .grid = grid_of(particle),
                 .points = scan.match_points,
-                .predicted = before * particle.predicted_motion,
-                .prior = step.prior,
+                .predicted = particle.match_start,
+                .prior = prior_of_match(particle, step),
                 .odometry = before * step.expected_motion,
                 .odometry_information =
                     predicted_covariance(Eigen::Matrix3d::Zero(), before, step.expected_motion, step.sigmas).inverse(),
-                .degeneracy = degeneracy};
+                .degeneracy = degeneracy,
+                .pose_information =
+                    known_map_ ? std::optional<Eigen::Matrix3d>(particle.covariance.inverse()) : std::nullopt};
             const double matched = particle.match.log_likelihood;
             for (const auto& correction : strategies_.corrections) {
                 particle.match = correction->correct(context, particle.match);
@@ -196,7 +277,8 @@ void Rbpf::learn(const PreparedScan& scan, const Step& step) {
 
 bool Rbpf::resample_if_poor(const ParticleSnapshot& swarm) {
     if (effective_sample_size(weights_of(swarm.particles)) >=
-        settings_.resample_share * static_cast<double>(particles_.size())) {
+            settings_.resample_share * static_cast<double>(particles_.size()) &&
+        !strategies_.resampling->is_due(swarm.particles)) {
         return false;
     }
     RandomStream random({settings_.seed, resampling_draw, updates_});
@@ -205,7 +287,7 @@ bool Rbpf::resample_if_poor(const ParticleSnapshot& swarm) {
     for (const Descendant& descendant : strategies_.resampling->resample(swarm.particles, random)) {
         next.push_back(particles_[descendant.parent]);
         next.back().pose = descendant.pose;
-        next.back().log_likelihood = 0.0;
+        next.back().log_likelihood = descendant.weight == 1.0 ? 0.0 : std::log(descendant.weight) / gain();
         path_.acquire(next.back().past);
     }
     for (const Particle& particle : particles_) {
@@ -218,6 +300,9 @@ bool Rbpf::resample_if_poor(const ParticleSnapshot& swarm) {
 /// A scan enters the maps only if the robot has moved enough since the last one that did. Otherwise the evidence for a
 /// place would grow with the time that the robot stands there.
 void Rbpf::map(const PreparedScan& scan, const Pose2& odom_from_robot) {
+    if (known_map_) {
+        return;
+    }
     if (odom_at_mapping_) {
         const Pose2 since = between(*odom_at_mapping_, odom_from_robot);
         if (std::hypot(since.x_m, since.y_m) < settings_.insert_distance_m &&

@@ -8,6 +8,7 @@
 #include "base/squared.hpp"
 #include "ddtool/filter/information_fusion.hpp"
 #include "filter/pose_covariance.hpp"
+#include "graph/coarse_map.hpp"
 
 namespace ddtool::graph {
 namespace {
@@ -33,83 +34,9 @@ constexpr double most_half_rad = 0.8;
 constexpr double least_sd_m = 0.01;
 constexpr double least_sd_rad = 0.002;
 
-constexpr double coarse_cell_m = 0.1;
 constexpr double lattice_m = 0.2;
 constexpr std::size_t coarse_points = 120;
 constexpr std::size_t most_places = 8;
-
-/// The older map on coarse cells: how near a wall is, or that nothing was observed.
-class CoarseMap {
-public:
-    static constexpr std::uint8_t unknown = 255;
-
-    explicit CoarseMap(const OccupancyGrid& grid) {
-        const CellBox box = grid.observed_box();
-        const int scale = std::max(1, static_cast<int>(std::lround(coarse_cell_m / grid.cell_size_m())));
-        cell_m_ = scale * grid.cell_size_m();
-        x0_m_ = box.x_min * grid.cell_size_m();
-        y0_m_ = box.y_min * grid.cell_size_m();
-        width_ = (box.x_max - box.x_min) / scale + 1;
-        height_ = (box.y_max - box.y_min) / scale + 1;
-        cells_.assign(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_), unknown);
-        for (int y = box.y_min; y < box.y_max; ++y) {
-            for (int x = box.x_min; x < box.x_max; ++x) {
-                const std::int8_t odds = grid.log_odds({x, y});
-                if (odds == Patch::unknown) {
-                    continue;
-                }
-                std::uint8_t& cell = at((x - box.x_min) / scale, (y - box.y_min) / scale);
-                cell = std::max<std::uint8_t>(cell == unknown ? 0 : cell, odds > 0 ? on_wall : 0);
-            }
-        }
-        blur();
-    }
-
-    [[nodiscard]] std::uint8_t value(double x_m, double y_m) const {
-        const int x = static_cast<int>(std::floor((x_m - x0_m_) / cell_m_));
-        const int y = static_cast<int>(std::floor((y_m - y0_m_) / cell_m_));
-        if (x < 0 || y < 0 || x >= width_ || y >= height_) {
-            return unknown;
-        }
-        return cells_[index(x, y)];
-    }
-
-    static constexpr std::uint8_t on_wall = 100;
-
-private:
-    [[nodiscard]] std::size_t index(int x, int y) const {
-        return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x);
-    }
-    std::uint8_t& at(int x, int y) { return cells_[index(x, y)]; }
-
-    /// Walls fade over two cells, so that the lattice does not step over them.
-    void blur() {
-        constexpr std::uint8_t fading[] = {on_wall, 70, 30};
-        std::vector<std::uint8_t> blurred = cells_;
-        for (int y = 0; y < height_; ++y) {
-            for (int x = 0; x < width_; ++x) {
-                if (cells_[index(x, y)] != on_wall) {
-                    continue;
-                }
-                for (int v = std::max(0, y - 2); v <= std::min(height_ - 1, y + 2); ++v) {
-                    for (int u = std::max(0, x - 2); u <= std::min(width_ - 1, x + 2); ++u) {
-                        std::uint8_t& cell = blurred[index(u, v)];
-                        const std::uint8_t near = fading[std::max(std::abs(u - x), std::abs(v - y))];
-                        cell = cell == unknown ? near : std::max(cell, near);
-                    }
-                }
-            }
-        }
-        cells_ = std::move(blurred);
-    }
-
-    double cell_m_ = coarse_cell_m;
-    double x0_m_ = 0.0;
-    double y0_m_ = 0.0;
-    int width_ = 0;
-    int height_ = 0;
-    std::vector<std::uint8_t> cells_;
-};
 
 /// The mean value of the points in observed ground, 0..1; 0 where too few are.
 double coarse_score(const CoarseMap& map, const std::vector<Point2>& turned, double x_m, double y_m) {

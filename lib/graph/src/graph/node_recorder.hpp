@@ -21,6 +21,9 @@ public:
     /// update. Returns the node if the frame's scan entered the map.
     std::optional<Node> add(const SensorFrame& frame, const std::optional<Update>& update);
 
+    /// Scans enter the filter's map from the next update on, and none has before.
+    void restart() { odom_at_node_.reset(); }
+
 private:
     RbpfSettings settings_;
     std::size_t scans_ = 0;

@@ -97,8 +97,11 @@ std::optional<RosMapTile> tile_at(const OccupancyGrid& grid, int column, int row
 
 class MapReader {
 public:
-    MapReader(const std::filesystem::path& file, MapParts parts)
-        : file_(file.string()), parts_(parts), reader_(file, [this](const LogProblem& problem) {
+    MapReader(const std::filesystem::path& file, MapParts parts, std::uint64_t most_memory_mib)
+        : file_(file.string()),
+          parts_(parts),
+          most_memory_mib_(most_memory_mib),
+          reader_(file, [this](const LogProblem& problem) {
               if (problem_.empty()) {
                   problem_ = problem.what;
               }
@@ -186,7 +189,8 @@ private:
                                        .hit_step = header.hit_step,
                                        .free_step = header.free_step,
                                        .min_log_odds = header.min_log_odds,
-                                       .max_log_odds = header.max_log_odds});
+                                       .max_log_odds = header.max_log_odds,
+                                       .most_memory_mib = most_memory_mib_});
         map_->program = std::move(header.program);
         try {
             map_->settings = parse_json(header.settings, file_ + ", settings");
@@ -364,6 +368,7 @@ private:
 
     std::string file_;
     MapParts parts_;
+    std::uint64_t most_memory_mib_;
     std::string problem_;
     McapReader reader_;
     std::optional<SavedMap> map_;
@@ -392,7 +397,7 @@ MapFileWriter::MapFileWriter(const std::filesystem::path& file, const std::strin
 
 void MapFileWriter::add(const graph::Node& scan, std::uint32_t drive) {
     stamp_ns_ = scan.stamp_ns;
-    scans_.push_back(scan.scan);
+    ++scans_;
     file_.write(scan_topic, stamp_ns_, to_message(scan, drive));
 }
 
@@ -419,7 +424,7 @@ void MapFileWriter::finish(const std::vector<Drive>& drives, const std::vector<P
             }
         }
     }
-    file_.write(end_topic, stamp_ns_, RosMapEnd{.scans = scans_.size(), .drives = drives.size(), .tiles = tiles});
+    file_.write(end_topic, stamp_ns_, RosMapEnd{.scans = scans_, .drives = drives.size(), .tiles = tiles});
     file_.close();
 }
 
@@ -439,6 +444,8 @@ bool looks_like_map_file(const std::filesystem::path& file) {
     return std::ranges::equal(std::as_bytes(std::span(start)), mcap_magic);
 }
 
-SavedMap read_map(const std::filesystem::path& file, MapParts parts) { return MapReader(file, parts).read(); }
+SavedMap read_map(const std::filesystem::path& file, MapParts parts, std::uint64_t most_memory_mib) {
+    return MapReader(file, parts, most_memory_mib).read();
+}
 
 }  // namespace ddtool::maps

@@ -29,12 +29,11 @@ public:
     ///     part of the map
     void finish(const std::vector<Drive>& drives, const std::vector<Pose2>& poses, const std::vector<MapEdge>& edges,
                 const OccupancyGrid& grid);
-    [[nodiscard]] const std::vector<std::size_t>& scans() const { return scans_; }
 
 private:
     Ros2Writer file_;
-    std::int64_t stamp_ns_ = 0;       ///< of the latest scan, for what has no stamp
-    std::vector<std::size_t> scans_;  ///< the number of each added scan in its run
+    std::int64_t stamp_ns_ = 0;  ///< of the latest scan, for what has no stamp
+    std::uint64_t scans_ = 0;    ///< added so far
 };
 
 /// Writes a whole map. `program` is what writes it now.
@@ -48,6 +47,7 @@ enum class MapParts { all, grid };
 /// Reads a map file. Throws Error naming the file, the place and what was expected if it is no map file, of a later
 /// format, damaged or cut off. With MapParts::grid the scans and edges are checked for damage as bytes but not
 /// taken in.
-SavedMap read_map(const std::filesystem::path& file, MapParts parts = MapParts::all);
+/// \param most_memory_mib the limit of the grid, as OccupancySettings has it
+SavedMap read_map(const std::filesystem::path& file, MapParts parts = MapParts::all, std::uint64_t most_memory_mib = 0);
 
 }  // namespace ddtool::maps

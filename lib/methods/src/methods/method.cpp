@@ -103,18 +103,6 @@ DegeneracyDetector detector_of(const FilterSettings& settings, const DetectorTab
                  settings.method.detection);
 }
 
-FilterStrategies strategies_of(const FilterSettings& settings, const DetectorTable& detectors) {
-    const MethodParts parts = parts_of(settings.method);
-    FilterStrategies strategies{
-        .detector = detector_of(settings, detectors),
-        .corrections = {chosen(search_choices(settings.method), "search", parts.search),
-                        chosen(trust_choices(settings.method), "trust", parts.trust)},
-        .resampling = chosen(resampling_choices(settings.method), "resampling", parts.resampling),
-        .odometry = chosen(odometry_choices(settings), "odometry", parts.odometry)};
-    std::erase(strategies.corrections, nullptr);
-    return strategies;
-}
-
 /// Throws UsageError for a part that a GmappingFilter cannot have.
 void expect_parts_of_gmapping(const MethodSettings& settings) {
     const MethodParts parts = parts_of(settings);
@@ -145,14 +133,6 @@ GmappingStrategies gmapping_strategies_of(const FilterSettings& settings, const 
         }
     }
     return strategies;
-}
-
-/// Three quarters of the memory that was free when the process made its first filter. It is determined only once,
-/// because the limit applies to all maps of the process together.
-std::uint64_t usual_most_memory_mib() {
-    constexpr std::uint64_t bytes_per_mib = 1U << 20U;
-    static const std::uint64_t most_mib = available_memory_bytes() / 4 * 3 / bytes_per_mib;
-    return most_mib;
 }
 
 }  // namespace
@@ -192,6 +172,28 @@ UpdateMotion update_motion(const FilterSettings& settings) {
                : UpdateMotion{settings.rbpf.update_distance_m, settings.rbpf.update_turn_rad};
 }
 
+std::uint64_t usual_most_memory_mib() {
+    constexpr std::uint64_t bytes_per_mib = 1U << 20U;
+    static const std::uint64_t most_mib = available_memory_bytes() / 4 * 3 / bytes_per_mib;
+    return most_mib;
+}
+
+FilterStrategies make_strategies(const FilterSettings& settings, const DetectorTable& detectors) {
+    if (runs_gmapping(settings.method.method)) {
+        throw UsageError("filter.method: the filter of GMapping, which " + settings.method.method +
+                         " uses, has no parts of this kind; expected another method");
+    }
+    const MethodParts parts = parts_of(settings.method);
+    FilterStrategies strategies{
+        .detector = detector_of(settings, detectors),
+        .corrections = {chosen(search_choices(settings.method), "search", parts.search),
+                        chosen(trust_choices(settings.method), "trust", parts.trust)},
+        .resampling = chosen(resampling_choices(settings.method), "resampling", parts.resampling),
+        .odometry = chosen(odometry_choices(settings), "odometry", parts.odometry)};
+    std::erase(strategies.corrections, nullptr);
+    return strategies;
+}
+
 std::unique_ptr<ParticleFilter> make_filter(const FilterSettings& settings, const DetectorTable& detectors,
                                             ThreadPool& threads) {
     RbpfSettings rbpf = settings.rbpf;
@@ -210,7 +212,7 @@ std::unique_ptr<ParticleFilter> make_filter(const FilterSettings& settings, cons
     if (kind == FilterKind::rbpf_of_one_particle) {
         rbpf.particles = 1;
     }
-    return std::make_unique<Rbpf>(rbpf, threads, strategies_of(settings, detectors));
+    return std::make_unique<Rbpf>(rbpf, threads, make_strategies(settings, detectors));
 }
 
 }  // namespace ddtool

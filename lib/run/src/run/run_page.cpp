@@ -20,7 +20,6 @@ std::vector<report::Fact> facts_of(const RunPageContent& content) {
     const RunCost& cost = content.cost;
     const auto length = [](double length_m, int decimals) { return fixed_text(length_m, decimals) + " m"; };
     std::vector<report::Fact> facts{
-        {"self-check", content.self_check},
         {"scans", std::to_string(run.scans)},
         {"duration", fixed_text(run.duration_s, 1) + " s"},
         {"path", length(run.path_m, 1)},
@@ -32,6 +31,7 @@ std::vector<report::Fact> facts_of(const RunPageContent& content) {
     if (run.step) {
         facts.push_back({"step, 99 % below", fixed_text(run.step->p99_ms, 1) + " ms"});
     }
+    facts.insert(facts.begin(), content.first_facts.begin(), content.first_facts.end());
     if (run.errors && run.errors->absolute) {
         facts.insert(facts.begin(), {"ATE (rmse)", length(run.errors->absolute->translation_m.rmse, 3)});
     }
@@ -104,7 +104,7 @@ Table stage_table(const RunSummary& run) {
 
 report::Page run_page(const RunPageContent& content) {
     const RunExplorer explorer = run_explorer(content.run, content.map, content.course);
-    report::Page page("ddtool slam", std::filesystem::path(content.log_file).filename().string());
+    report::Page page(content.command, std::filesystem::path(content.log_file).filename().string());
     page.warnings(content.warnings).facts(facts_of(content));
     page.section("Map and time lines")
         .text(

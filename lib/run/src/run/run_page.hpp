@@ -16,6 +16,7 @@ namespace ddtool {
 
 /// What the report page of a run is made of. The referenced objects must live until the page has been made.
 struct RunPageContent {
+    std::string command = "ddtool slam";
     std::string log_file;
     std::vector<std::string> warnings;
     const FilterRun& run;
@@ -23,7 +24,7 @@ struct RunPageContent {
     const RunCourse& course;
     const RunSummary& summary;
     const RunCost& cost;
-    std::string self_check;                    ///< the verdict, in a word; its reasons are among the warnings
+    std::vector<report::Fact> first_facts;     ///< that stand before all others, such as the self-check's verdict
     ImageSettings image;                       ///< how the worst moments are drawn
     const BackEndResults* back_end = nullptr;  ///< null if the run had none
     const Json& settings;                      ///< shown unchanged

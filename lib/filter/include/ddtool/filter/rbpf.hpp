@@ -42,6 +42,7 @@ struct Particle {
     Pose2 pose_before;       ///< world_from_robot at the previous update
     Pose2 predicted_motion;  ///< since the previous update, in the robot's frame at it, sampled from the motion model
     Pose2 matched_motion;    ///< the same after scan matching and corrections
+    Pose2 match_start;       ///< world_from_robot, where scan matching began
     ScanMatch match;
     double log_likelihood = 0.0;  ///< since the last resampling; the weight is proportional to exp(gain() * this)
     PathRecord::Node past = PoseHistory::none;
@@ -50,14 +51,38 @@ struct Particle {
     Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
 };
 
+/// A place where the robot may be in a known map.
+struct Hypothesis {
+    Pose2 pose;                                            ///< map_from_robot
+    Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< of pose (x, y, theta in the map; m^2, m rad, rad^2)
+    double log_weight = 0.0;                               ///< natural logarithm, relative to the others
+};
+
 /// Rao-Blackwellised particle filter with one grid map per particle (Grisetti, Stachniss, Burgard, "Improved techniques
 /// for grid mapping with Rao-Blackwellized particle filters", IEEE T-RO 2007; Thrun, Burgard, Fox, "Probabilistic
 /// robotics", 2005, table 13.4). Inside, the work of an update is spread over the threads of the pool. The same seed
 /// gives the same results, byte for byte, with any number of threads.
+///
+/// In a known map it localises: all particles share that map, and no scan enters it. What a particle does not know of
+/// its pose is then relative to a map that stays, so that its whole covariance, and not the noise of the last step
+/// alone, is the prior of the match and what the corrections weigh the match against. Along a corridor the covariance
+/// grows, and the next thing that holds the robot along it takes it back.
 class Rbpf : public ParticleFilter {
 public:
     /// `threads` must outlive the filter.
     Rbpf(const RbpfSettings& settings, ThreadPool& threads, FilterStrategies strategies = {});
+    /// Localises in `known_map`, whose cells must be of the size that the settings say. place() must be called before
+    /// the first update.
+    Rbpf(const RbpfSettings& settings, ThreadPool& threads, FilterStrategies strategies,
+         std::shared_ptr<const OccupancyGrid> known_map);
+
+    /// In a known map: adds a particle at each hypothesis, which is a pose at the last update, or before the first one
+    /// at the first frame. The present particles keep together the share kept_share of the weight, where the weights of
+    /// the hypotheses sum to the rest; with 0 they are dropped, and there must be a hypothesis. The new particles have
+    /// the past of the best one. Needs a likelihood_gain above 0.
+    void place(std::span<const Hypothesis> hypotheses, double kept_share);
+    /// From now on each particle has the known map as its own, and scans enter it.
+    void map_on();
 
     std::optional<Update> update(const SensorFrame& frame) override;
 
@@ -65,7 +90,7 @@ public:
     [[nodiscard]] std::span<const Particle> particles() const { return particles_; }
     /// The particle with the largest likelihood since the last resampling. Needs an update before it.
     [[nodiscard]] const Particle& best() const;
-    [[nodiscard]] const OccupancyGrid& map() const override { return best().grid; }
+    [[nodiscard]] const OccupancyGrid& map() const override { return grid_of(best()); }
     [[nodiscard]] Pose2 pose() const override;
     [[nodiscard]] Eigen::Matrix3d pose_covariance() const override;
     [[nodiscard]] Trajectory trajectory() const override;
@@ -90,6 +115,11 @@ private:
         ScanInserter inserter;
     };
 
+    [[nodiscard]] const OccupancyGrid& grid_of(const Particle& particle) const {
+        return known_map_ ? *known_map_ : particle.grid;
+    }
+    [[nodiscard]] Pose2 match_start(const Particle& particle, std::size_t index) const;
+    [[nodiscard]] PosePrior prior_of_match(const Particle& particle, const Step& step) const;
     [[nodiscard]] Step step_to(const SensorFrame& frame, const Pose2& odometry_motion) const;
     [[nodiscard]] PreparedScan prepare(const SensorFrame& frame) const;
     void start(const Pose2& world_from_robot);
@@ -109,6 +139,7 @@ private:
     RbpfSettings settings_;
     ThreadPool& threads_;
     FilterStrategies strategies_;
+    std::shared_ptr<const OccupancyGrid> known_map_;  ///< null where each particle has its own
     std::unique_ptr<OdometryModel> odometry_;
     std::vector<Worker> workers_;
     std::vector<Particle> particles_;

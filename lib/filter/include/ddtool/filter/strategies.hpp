@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -23,6 +24,9 @@ struct MatchContext {
     /// Information about (x, y, theta) in the world that the odometry gives: of its motion since the last update.
     Eigen::Matrix3d odometry_information;
     Degeneracy degeneracy;  ///< of the whole swarm
+    /// In a known map: the information about (x, y, theta) in the world that all before this scan gives, which is less
+    /// than that of the odometry's last motion alone.
+    std::optional<Eigen::Matrix3d> pose_information = std::nullopt;
 };
 
 /// May replace the pose that scan matching found, given how degenerate the swarm is. One object serves all particles
@@ -38,7 +42,8 @@ public:
 /// A particle after resampling: a copy of the particle with index `parent`, placed at `pose`.
 struct Descendant {
     std::size_t parent = 0;
-    Pose2 pose;  ///< world_from_robot
+    Pose2 pose;           ///< world_from_robot
+    double weight = 1.0;  ///< relative to the other descendants
 };
 
 /// Chooses the next generation from poses and normalised weights. It is called by one thread at a time and holds only
@@ -46,7 +51,9 @@ struct Descendant {
 class Resampling {
 public:
     virtual ~Resampling() = default;
-    /// Returns as many descendants as there are particles.
+    /// Whether the swarm should be resampled although its weights are even enough, for another number of particles.
+    [[nodiscard]] virtual bool is_due(std::span<const SnapshotParticle> /*particles*/) const { return false; }
+    /// Returns as many descendants as there are particles; in a known map (Rbpf) there may be more or fewer.
     virtual std::vector<Descendant> resample(std::span<const SnapshotParticle> particles,
                                              RandomStream& random) const = 0;
 };

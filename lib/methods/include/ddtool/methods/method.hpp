@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
@@ -70,6 +71,14 @@ struct UpdateMotion {
     double turn_rad = 0.0;
 };
 UpdateMotion update_motion(const FilterSettings& settings);
+
+/// The parts of the method of an Rbpf, made. Throws UsageError for an unknown name and for a method whose filter is a
+/// GmappingFilter, and Error for a detector that cannot be made.
+FilterStrategies make_strategies(const FilterSettings& settings, const DetectorTable& detectors);
+
+/// The limit in MiB on the memory of all maps of the process where the settings set none: three quarters of what was
+/// free on the machine when this was first called.
+std::uint64_t usual_most_memory_mib();
 
 /// Makes the filter of a method: a GmappingFilter for "gmapping" and "paper", an Rbpf for all others. A method with a
 /// single hypothesis gets one particle, whatever the settings say. If the settings set no memory limit, the maps may

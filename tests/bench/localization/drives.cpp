@@ -1,0 +1,95 @@
+#include "drives.hpp"
+
+#include <cmath>
+
+#include "ddtool/filter/filter_run.hpp"
+#include "ddtool/filter/scan_insertion.hpp"
+#include "ddtool/methods/method.hpp"
+#include "scores/absolute_error.hpp"
+#include "sim/world_catalogue.hpp"
+
+namespace ddtool::localization_bench {
+namespace {
+
+/// A ring of corridors, 2 m wide, whose sides look alike but for a few recesses; twice around.
+sim::World ring_world() {
+    sim::World world{.name = "ring", .description = "", .segments = {}, .arcs = {}, .route = {}};
+    sim::add_polyline(world,
+                      {{-1, -1}, {10, -1}, {10, -1.6}, {12, -1.6}, {12, -1}, {21, -1}, {21, 13}, {-1, 13}, {-1, -1}});
+    sim::add_polyline(world, {{1, 1}, {19, 1}, {19, 11}, {7, 11}, {7, 10.5}, {5, 10.5}, {5, 11}, {1, 11}, {1, 1}});
+    world.route = {.start = {}, .way_points = {{20, 0}, {20, 12}, {0, 12}, {0, 0}, {20, 0}, {20, 12}, {0, 12}, {0, 0}}};
+    return world;
+}
+
+class Frames : public SensorStream {
+public:
+    explicit Frames(const std::vector<SensorFrame>& frames) : frames_(frames) {}
+    std::optional<SensorFrame> next() override {
+        return next_ < frames_.size() ? std::optional(frames_[next_++]) : std::nullopt;
+    }
+    [[nodiscard]] double fraction_read() const override { return 0.0; }
+
+private:
+    const std::vector<SensorFrame>& frames_;
+    std::size_t next_ = 0;
+};
+
+}  // namespace
+
+Place place_of(const std::string& name) {
+    const std::size_t at = name.find('@');
+    const std::string world = name.substr(0, at);
+    return {.name = name,
+            .world = world == "ring" ? ring_world() : sim::load_world(world),
+            .range_m = at == std::string::npos ? 30.0 : std::stod(name.substr(at + 1))};
+}
+
+sim::Simulation drive_of(const Place& place, std::uint64_t seed) {
+    sim::SimulationSettings settings;
+    settings.seed = seed;
+    settings.lidar.beams = 360;
+    settings.lidar.range_max_m = place.range_m;
+    return {place.world, settings};
+}
+
+std::vector<SensorFrame> frames_of(const sim::Simulation& drive) {
+    std::vector<SensorFrame> frames;
+    for (std::size_t index = 0; index < drive.frame_count(); ++index) {
+        frames.push_back(drive.frame(index).frame);
+    }
+    return frames;
+}
+
+MadeMap map_of(const std::vector<SensorFrame>& frames) {
+    ThreadPool threads(1);
+    const std::unique_ptr<ParticleFilter> filter = make_filter({}, {}, threads);
+    Frames stream(frames);
+    const FilterRun run =
+        run_filter(stream, *filter, [](const SensorFrame&, const std::optional<Update>&) { return true; });
+    const AteResult error = absolute_trajectory_error(run.trajectory, run.ground_truth);
+    return {
+        .grid = std::make_shared<const OccupancyGrid>(run.map),
+        .map_from_world = inverse(error.reference_from_estimate),
+        .ate_m = error.translation_m.rmse,
+        .ate_from_start_m = absolute_trajectory_error(run.trajectory, run.ground_truth, {.alignment = Alignment::first})
+                                .translation_m.rmse};
+}
+
+MadeMap true_map_of(const std::vector<SensorFrame>& frames) {
+    OccupancyGrid grid({});
+    ScanInserter inserter;
+    const Pose2 map_from_world = inverse(*frames.front().world_from_robot);
+    Pose2 last{1e9, 0.0, 0.0};
+    for (const SensorFrame& frame : frames) {
+        const Pose2 pose = map_from_world * *frame.world_from_robot;
+        constexpr double entry_m = 0.3;
+        constexpr double entry_rad = 0.3;
+        if (distance_m(last, pose) > entry_m || std::abs(wrap_angle(last.theta_rad - pose.theta_rad)) > entry_rad) {
+            inserter.insert(grid, scan_points(frame, {}), pose);
+            last = pose;
+        }
+    }
+    return {.grid = std::make_shared<const OccupancyGrid>(std::move(grid)), .map_from_world = map_from_world};
+}
+
+}  // namespace ddtool::localization_bench
