@@ -11,6 +11,7 @@
 #include "dataset/build_settings.hpp"
 #include "dataset/run_plan.hpp"
 #include "ddtool/base/error.hpp"
+#include "localization/localization_settings.hpp"
 #include "log_options.hpp"
 #include "methods/settings_json.hpp"
 #include "sim/simulation_json.hpp"
@@ -31,6 +32,11 @@ const std::map<std::string, Reader>& readers() {
              (void)log_options(settings.at("log"));
              (void)filter_settings_from_json(settings.at("filter"));
              (void)asks_for_graph(settings);
+         }},
+        {"localize",
+         [](const Json& settings) {
+             (void)log_options(settings.at("log"));
+             (void)localization::localization_from_json(settings);
          }},
         {"simulate", [](const Json& settings) { (void)sim::simulation_from_json(settings); }},
         {"build-dataset",

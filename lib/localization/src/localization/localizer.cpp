@@ -19,7 +19,7 @@ constexpr double lost_at_given_start = 0.1;
 constexpr double lost_after_search = 0.5;
 /// A search is worth its time where this much speaks against the present places.
 constexpr double doubtful = 0.3;
-/// The way between two searches; it grows while they find nothing new.
+/// The way between two searches; it grows until the robot is found.
 constexpr double first_interval_m = 0.3;
 constexpr double most_interval_m = 3.0;
 /// Particles that begin at the places of the first search, all together, and at a given start.
@@ -87,12 +87,15 @@ std::optional<Update> Localizer::update(const SensorFrame& frame) {
     standing_.mode_weight = own == modes.end() ? 0.0 : own->weight;
     since_search_m_ += way_m;
     standing_.lost = watch_.probability();
+    if (standing_.lost < doubtful) {
+        search_every_m_ = first_interval_m;
+    }
     if (search_is_due()) {
         standing_.searched = true;
         since_search_m_ = 0.0;
         const std::vector<Hypothesis> found =
             found_places(points, update->corrected.particles, std::min(standing_.lost, 1.0 - 1e-6));
-        search_every_m_ = found.empty() ? std::min(1.5 * search_every_m_, most_interval_m) : first_interval_m;
+        search_every_m_ = std::min(1.5 * search_every_m_, most_interval_m);
         if (!found.empty()) {
             filter_.place(found, 1.0 - std::min(standing_.lost, 1.0 - 1e-6));
         }
