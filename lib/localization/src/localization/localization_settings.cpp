@@ -52,6 +52,7 @@ Json default_localization_json() {
 }
 
 LocalizationSettings localization_from_json(const Json& json) {
+    expect_allowed(json, localization_setting_list(), "");
     Json filter = filter_settings_json({});
     merge_settings(filter, json.at(filter_name), filter_name);
     LocalizationSettings settings{.filter = filter_settings_from_json(filter),
