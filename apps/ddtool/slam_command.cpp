@@ -14,8 +14,10 @@
 #include "logs/stream/live_log.hpp"
 #include "methods/settings_json.hpp"
 #include "output_folder.hpp"
+#include "robot_provider.hpp"
 #include "run/live_run.hpp"
 #include "run/live_server.hpp"
+#include "run/placed_scans.hpp"
 #include "run/run_folder.hpp"
 #include "run/run_page.hpp"
 #include "run/run_summary.hpp"
@@ -33,6 +35,8 @@ using Clock = std::chrono::steady_clock;
 
 struct SlamRequest {
     std::string log;
+    bool ros = false;
+    std::vector<std::string> ros_arguments;
     bool follow = false;
     std::string folder;
     std::size_t threads = 0;
@@ -53,12 +57,27 @@ struct Served {
     LiveRun run{server};
 };
 
+/// Who hears of each scan after the filter.
+struct Listeners {
+    RunFolder& folder;
+    check::SelfCheck& check;
+    graph::BackEnd* back_end = nullptr;
+    Served* served = nullptr;
+    RobotLink* robot = nullptr;
+};
+
 /// Runs the filter over the scans. The filter is destroyed at the end, so that the memory of its particles can be
 /// returned before the pictures are drawn.
 FilterRun run_over(DrivenScans& scans, std::unique_ptr<ParticleFilter> filter, const InterruptRequest& interrupt,
-                   RunFolder& folder, check::SelfCheck& check, graph::BackEnd* back_end, Served* served) {
+                   const Listeners& listeners) {
+    const auto& [folder, check, back_end, served, robot] = listeners;
     Progress progress("slam", "scans");
-    return run_filter(scans, *filter, [&](const SensorFrame& frame, const std::optional<Update>& update) {
+    PlacedScans placed(scans, *filter,
+                       [&] { return robot != nullptr ? robot->take_initial_pose() : std::optional<Pose2>(); });
+    return run_filter(placed, *filter, [&](const SensorFrame& frame, const std::optional<Update>& update) {
+        if (robot != nullptr) {
+            robot->add(frame, update, *filter);  // first, because it waits for where it is
+        }
         folder.add(frame, update, *filter);
         check.add(frame, update);
         if (back_end != nullptr) {
@@ -98,10 +117,11 @@ std::optional<BackEndResults> smoothed(const graph::BackEnd& back_end, FilterRun
 }
 
 /// The reasons, other than damage, why less of the log was used than it holds or a run needs.
+/// \param has_no_end the run is over when it is interrupted
 std::vector<std::string> shortfalls(const std::string& file, const LogSummary& log, const InterruptRequest& interrupt,
-                                    const FilterRun& run) {
+                                    bool has_no_end, const FilterRun& run) {
     std::vector<std::string> lines;
-    if (interrupt.made()) {
+    if (interrupt.made() && !has_no_end) {
         lines.push_back("interrupted: the results end after scan " + std::to_string(run.trajectory.size()));
     }
     if (!run.ended_early.empty()) {
@@ -133,8 +153,11 @@ RunCost run_cost(std::size_t threads, Clock::time_point start) {
 }
 
 std::unique_ptr<LogStream> open(const SlamRequest& request, const LogOptions& options,
-                                const InterruptRequest& interrupt, LogReport& problems) {
+                                const InterruptRequest& interrupt, LogReport& problems, RobotLink* robot) {
     const auto stop = [&interrupt] { return interrupt.made(); };
+    if (robot != nullptr) {
+        return robot->scans(options, stop, problems.handler());
+    }
     if (request.log != "-") {
         return request.follow ? follow_log(request.log, options, stop, problems.handler())
                               : open_log(request.log, options, problems.handler());
@@ -145,8 +168,18 @@ std::unique_ptr<LogStream> open(const SlamRequest& request, const LogOptions& op
     return open_standard_input(options, stop, problems.handler());
 }
 
+/// What the scans come from, as messages and the folder of the results name it.
+std::string source_of(const SlamRequest& request) {
+    if (request.ros != request.log.empty()) {
+        throw UsageError("slam: expected --log FILE, or --ros for a robot that is driving now" +
+                         std::string(request.ros ? ", and not both" : ""));
+    }
+    return request.ros ? "ros" : request.log;
+}
+
 ExitCode slam(const SlamRequest& request, const Json& settings) {
     const auto start = Clock::now();
+    const std::string source = source_of(request);
     const FilterSettings filter_settings = filter_settings_from_json(settings.at("filter"));
     std::optional<graph::BackEnd> back_end = back_end_of(settings, filter_settings);
     ThreadPool threads(request.threads);
@@ -155,19 +188,21 @@ ExitCode slam(const SlamRequest& request, const Json& settings) {
     detectors.know(truth);
     // The detector is made before the log is opened, because a detector that needs LibTorch starts the command anew.
     std::unique_ptr<ParticleFilter> filter = make_filter(filter_settings, detectors, threads);
+    const std::unique_ptr<RobotLink> robot = request.ros ? join_robot(request.ros_arguments) : nullptr;
     const auto served = request.serve ? std::make_unique<Served>(request.address, request.port) : nullptr;
     LogReport problems;
     const InterruptRequest interrupt;
-    DrivenScans scans(open(request, log_options(settings.at("log")), interrupt, problems), filter_settings.rbpf);
+    DrivenScans scans(open(request, log_options(settings.at("log")), interrupt, problems, robot.get()),
+                      filter_settings.rbpf);
     scans.tell_truth(truth);
-    const OutputFolder output(request.folder, name_of_results(request.log));
+    const OutputFolder output(request.folder, name_of_results(source));
     RunFolder folder(output.path(), request.with_snapshots);
     check::SelfCheck check;
-    FilterRun result =
-        run_over(scans, std::move(filter), interrupt, folder, check, back_end ? &*back_end : nullptr, served.get());
+    FilterRun result = run_over(scans, std::move(filter), interrupt,
+                                {folder, check, back_end ? &*back_end : nullptr, served.get(), robot.get()});
     return_freed_memory();  // returns the memory of the particles' maps before the pictures are drawn
     if (result.trajectory.empty()) {
-        throw Error(request.log + ": no scans that can be used");
+        throw Error(source + ": no scans that can be used");
     }
     std::string back_end_problem;
     const std::optional<BackEndResults> results_of_back_end =
@@ -176,6 +211,9 @@ ExitCode slam(const SlamRequest& request, const Json& settings) {
     if (served) {
         served->run.finish(map, result.trajectory);
     }
+    if (robot) {
+        robot->finish(map, result.trajectory);
+    }
     folder.finish(result, map);
     folder.write_back_end(results_of_back_end ? &*results_of_back_end : nullptr);
     folder.write_json("config.json", settings);
@@ -183,30 +221,35 @@ ExitCode slam(const SlamRequest& request, const Json& settings) {
     const RunCost cost = run_cost(request.threads, start);
     const check::Evidence evidence = check.evidence(result.trajectory);
     const check::Verdict verdict = check::verdict_of(evidence);
-    const Json log = log_report(request.log, scans.summary());
+    const Json log = log_report(source, scans.summary());
     const Json versions = version_report();
     const Json results{{"command", "slam"},
                        {"versions", versions},
                        {"settings", settings},
                        {"parts", parts_json(filter_settings.method)},
                        {"log", log},
-                       {"interrupted", interrupt.made()},
+                       {"interrupted", interrupt.made() && !request.ros},
                        {"ended_early", result.ended_early},
                        {"run", to_run_json(run)},
                        {"self_check", check::self_check_json(verdict, evidence)},
+                       {"robot", robot ? robot->report() : Json()},
                        {"back_end", results_of_back_end ? back_end_json(*results_of_back_end) : Json()},
                        {"cost", cost}};
     folder.write_json("run.json", results);
-    std::vector<std::string> losses = shortfalls(request.log, scans.summary(), interrupt, result);
+    std::vector<std::string> losses = shortfalls(source, scans.summary(), interrupt, request.ros, result);
+    if (robot) {
+        const std::vector<std::string> of_robot = robot->losses();
+        losses.insert(losses.end(), of_robot.begin(), of_robot.end());
+    }
     const std::vector<std::string> doubts = doubts_of(verdict);
     if (!back_end_problem.empty()) {
-        losses.push_back(request.log + ": " + back_end_problem);
+        losses.push_back(source + ": " + back_end_problem);
     }
     losses.insert(losses.end(), doubts.begin(), doubts.end());
     std::vector<std::string> warnings = log_warnings(scans.summary());
     warnings.insert(warnings.end(), losses.begin(), losses.end());
     const bool has_page = folder.write_page([&] {
-        return run_page({.log_file = request.log,
+        return run_page({.log_file = source,
                          .warnings = warnings,
                          .run = result,
                          .map = map,
@@ -240,9 +283,13 @@ ExitCode slam(const SlamRequest& request, const Json& settings) {
 Command slam_command() {
     const auto request = std::make_shared<SlamRequest>();
     std::vector<Option> options{
-        {"--log", &request->log, log_file_help + std::string("; - is MCAP from standard input"), "FILE",
-         Presence::required},
+        {"--log", &request->log, log_file_help + std::string("; - is MCAP from standard input"), "FILE"},
         {"--follow", &request->follow, "The log is MCAP that is still being written: wait for more, up to its footer"},
+        {.name = "--ros",
+         .value = &request->ros,
+         .help = "Map a robot of ROS 2 that is driving now, until Ctrl-C: its scans, odometry and transforms are read, "
+                 "map -> odom and the map are published",
+         .excludes = "--log"},
         {"--out", &request->folder, "Folder for the results; if not given, a new one named after the log", "DIR"},
         {"--method", SettingPath{"filter.method"}, "What the filter does about degeneracy", choices(method_names())},
         {"--detector", SettingPath{"filter.detector"},
@@ -271,6 +318,13 @@ Command slam_command() {
           .help = "This machine's address that others may connect to; 127.0.0.1 is for itself alone, 0.0.0.0 all",
           .type = "ADDRESS",
           .needs = "--serve"},
+         {.name = "--ros-args",
+          .value = &request->ros_arguments,
+          .help = "What a node of ROS 2 takes, up to the end of the line or --: -r FROM:=TO (topics, __ns, __node), "
+                  "-p use_sim_time:=true, -p transform_tolerance:=SECONDS",
+          .type = "WORDS",
+          .needs = "--ros",
+          .takes_rest = true},
          {"--snapshots", &request->with_snapshots, "Write snapshots.mcap, too: the particles before each resampling"},
          {"--json", &request->as_json, "Print run.json instead of a summary"}});
     return {.name = "slam",

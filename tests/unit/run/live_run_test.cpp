@@ -42,6 +42,18 @@ TEST(LiveRun, TellsEveryScanAndShowsTheMapFromTheStartToTheEnd) {
     EXPECT_EQ(last->data, map.cells);
 }
 
+TEST(LiveRun, GivesARobotNeitherItsScansNorItsTransforms) {
+    KeptMessages told;
+    LiveRun live(told, RunMessages::Reader::robot);
+    test::SmallRun small;
+    small.run([&](const SensorFrame& frame, const std::optional<Update>& update) {
+        live.add(frame, update, small.filter());
+        return true;
+    });
+    EXPECT_EQ(told.topics.count("/scan") + told.topics.count("/tf") + told.topics.count("/tf_static"), 0U);
+    EXPECT_GT(told.topics["/map"].size() * told.topics["/pose"].size() * told.topics["/degeneracy"].size(), 0U);
+}
+
 /// The fields that a definition of a message type lists.
 bool has_field(const char* type_name, const std::string& field) {
     return (" " + ros2_schema(type_name)).find(" " + field + "\n") != std::string::npos;
