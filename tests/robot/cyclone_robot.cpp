@@ -3,6 +3,7 @@
 //   cyclone_robot LOG.mcap DOMAIN SECONDS [FAULT...]
 // Each scan and each pose of the odometry is published when its time has come, with a stamp of now. Faults:
 //   pause=AT:FOR     nothing is published for so long
+//   mute=AT:FOR      no odometry is published for so long
 //   jump=AT:BY       from then on all stamps are BY seconds later
 //   restart=AT       the robot's programs end and start again, and its odometry begins at zero
 //   pose=AT:X:Y      somebody tells the robot's place on /initialpose
@@ -33,6 +34,8 @@ using Json = nlohmann::json;
 
 constexpr double tolerance_s = 0.2;  // the default of ddtool slam --ros
 constexpr auto longest_matching = std::chrono::seconds(20);
+/// When one side has matched, the other follows; until then it does not hear what is best effort.
+constexpr auto until_both_know = std::chrono::milliseconds(500);
 /// Scans are answered late as long as ddtool looks at what the robot publishes, and works off what has come meanwhile.
 constexpr auto while_surveyed = std::chrono::seconds(5);
 
@@ -378,21 +381,30 @@ private:
             })) {
             throw std::runtime_error("nobody hears the robot");
         }
+        const double waited_s = std::chrono::duration<double>(Clock::now() - start).count();
+        std::this_thread::sleep_for(until_both_know);
         if (played_.mounting) {
             robot_->tell_mounting(*played_.mounting);
         }
-        return std::chrono::duration<double>(Clock::now() - start).count();
+        return waited_s;
     }
 
     [[nodiscard]] double time_s(std::int64_t log_ns) const {
         return 1e-9 * static_cast<double>(log_ns - played_.steps.front().stamp_ns);
     }
 
+    [[nodiscard]] bool is_within(const std::string& name, double now_s) const {
+        const Fault* const fault = request_.fault(name);
+        return fault != nullptr && now_s >= fault->numbers.at(0) && now_s < fault->numbers.at(0) + fault->numbers.at(1);
+    }
+
     void play(const Step& step) {
         const double now_s = time_s(step.due_ns());
         wait_until(start_ + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(now_s)));
-        if (const Fault* const pause = request_.fault("pause");
-            pause != nullptr && now_s >= pause->numbers.at(0) && now_s < pause->numbers.at(0) + pause->numbers.at(1)) {
+        if (is_within("pause", now_s)) {
+            return;
+        }
+        if (is_within("mute", now_s) && step.odometry) {
             return;
         }
         if (const Fault* const restart = request_.fault("restart");

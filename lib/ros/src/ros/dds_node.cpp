@@ -36,6 +36,8 @@ constexpr const char* discovery_topic = "ros_discovery_info";
 constexpr std::uint32_t most_programs = 32;
 /// Other programs hear of this one as often, and so find it within this time where they start later.
 const eprosima::fastrtps::Duration_t announcement_period{1, 0};
+/// A reader that lacks a message, because it has just come or because one was lost, learns of it within this time.
+const eprosima::fastrtps::Duration_t heartbeat_period{0, 250'000'000};
 /// So that a burst of large scans does not overflow what the system keeps by default.
 constexpr std::uint32_t socket_bytes = 4U << 20U;
 
@@ -286,6 +288,7 @@ private:
         dds::DataWriterQos qos;
         set_qos(qos, wanted);
         tell_type_hash(qos, type_name);
+        qos.reliable_writer_qos().times.heartbeatPeriod = heartbeat_period;
         qos.publish_mode().kind = dds::ASYNCHRONOUS_PUBLISH_MODE;  // which large messages need, and nobody waits for
         dds::DataWriter* const writer = publisher_->create_datawriter(topic_of(dds_topic, type_name), qos);
         if (writer == nullptr) {

@@ -50,6 +50,11 @@ std::optional<SilenceWatch::Finding> SilenceWatch::look(std::int64_t now_ns) {
     return std::nullopt;
 }
 
+std::size_t SilenceWatch::silences() const {
+    const std::lock_guard lock(mutex_);
+    return silences_;
+}
+
 bool SilenceWatch::is_silent(std::size_t topic) const {
     const std::lock_guard lock(mutex_);
     return topics_[topic].is_silent;

@@ -25,7 +25,7 @@ public:
     /// What has changed since the last call; call it until it finds nothing.
     std::optional<Finding> look(std::int64_t now_ns);
     /// How often a topic fell silent.
-    [[nodiscard]] std::size_t silences() const { return silences_; }
+    [[nodiscard]] std::size_t silences() const;
     /// Whether a topic is silent now.
     [[nodiscard]] bool is_silent(std::size_t topic) const;
 
