@@ -174,6 +174,9 @@ std::string source_of(const SlamRequest& request) {
         throw UsageError("slam: expected --log FILE, or --ros for a robot that is driving now" +
                          std::string(request.ros ? ", and not both" : ""));
     }
+    if (request.ros && request.follow) {
+        throw UsageError("--follow: expected --log with the file that is being written; a robot is followed anyway");
+    }
     return request.ros ? "ros" : request.log;
 }
 

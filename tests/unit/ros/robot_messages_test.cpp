@@ -115,6 +115,7 @@ TEST(SilenceWatch, TellsWhenATopicFallsSilentAndComesBack) {
     EXPECT_NEAR(back->silent_s, 19.1, 0.01);
     EXPECT_FALSE(watch.look(121 * one_second));
     EXPECT_EQ(watch.silences(), 1U);
+    EXPECT_THAT(watch.never_heard(), ElementsAre("/never"));
 }
 
 TEST(LatencyRecord, HasQuantilesToOnePartInTen) {

@@ -1,8 +1,8 @@
 #include "ros/ros_link.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
-#include <condition_variable>
 #include <cstdlib>
 #include <deque>
 #include <mutex>
@@ -42,6 +42,8 @@ constexpr const char* static_transforms_topic = "/tf_static";
 constexpr auto transform_interval = 50ms;
 constexpr auto diagnostics_interval = 1s;
 constexpr auto waiting_note_interval = 5s;
+/// Longer than a survey takes for which nothing is missing.
+constexpr std::int64_t longest_survey_ns = 15'000'000'000;
 /// From a degree of one half on a scan counts as degenerate.
 constexpr double degenerate_degree = 0.5;
 
@@ -137,11 +139,13 @@ public:
                                      LogProblemHandler on_problem) override {
         const LogOptions resolved = subscribe(options);
         wait_for_scans(stop);
+        surveyed_since_ns_ = steady_now_ns();
         const auto open = [&](const LogProblemHandler& /*on_problem*/) {
             return std::make_unique<Source>(messages_, stop);
         };
         auto stream = std::make_unique<MessageLogStream>(open, MessageLogStream::Opening::live, "ROS 2", name(),
                                                          resolved, std::move(on_problem));
+        surveyed_since_ns_ = 0;
         stream_ = stream.get();
         arrivals_.clear();  // scans that came during the survey are late
         return stream;
@@ -223,13 +227,15 @@ private:
             }
             return names;
         };
-        for (const std::string& topic : named(options.scan_topic, options.cloud_topic.empty() ? "scan" : nullptr)) {
+        const auto scans = named(options.scan_topic, options.cloud_topic.empty() ? "scan" : nullptr);
+        const auto clouds = named(options.cloud_topic, nullptr);
+        first_scan_topic_ = scans.empty() ? clouds.front() : scans.front();
+        for (const std::string& topic : scans) {
             hear(topic, RosLaserScan::type_name, sensor_qos, RobotMessages::Kind::scan);
         }
-        for (const std::string& topic : named(options.cloud_topic, nullptr)) {
+        for (const std::string& topic : clouds) {
             hear(topic, RosPointCloud2::type_name, sensor_qos, RobotMessages::Kind::scan);
         }
-        first_scan_topic_ = topics_named(options.scan_topic + "," + options.cloud_topic).front();
         const std::string transforms = resolved_topic(arguments_, transforms_topic);
         hear(transforms, RosTFMessage::type_name, transform_qos, RobotMessages::Kind::other);
         hear(resolved_topic(arguments_, static_transforms_topic), RosTFMessage::type_name, static_qos,
@@ -261,12 +267,12 @@ private:
             return;  // an option names a topic that is heard for another reason
         }
         const std::size_t channel = messages_.add_topic(topic, type_name, kind);
-        const bool has_stamp = std::string(type_name) != RosTFMessage::type_name;
-        const bool goes_on = !qos.is_kept_for_late;  // static transforms are told once
+        const bool tells_time = topic == first_scan_topic_;  // one alone, since their clocks may differ
+        const bool goes_on = !qos.is_kept_for_late;          // static transforms are told once
         const std::size_t watched = goes_on ? silence_.add_topic(topic) : 0;
         node_.subscribe(topic, type_name, qos, [=, this](std::span<const std::byte> data) {
             const std::int64_t now_ns = steady_now_ns();
-            const auto stamp_ns = has_stamp ? first_stamp_ns(data) : std::nullopt;
+            const auto stamp_ns = tells_time ? first_stamp_ns(data) : std::nullopt;
             if (stamp_ns && *stamp_ns != 0) {
                 clock_.heard(*stamp_ns, now_ns);
             }
@@ -423,6 +429,7 @@ private:
             const auto now = std::chrono::steady_clock::now();
             continue_transforms(now);
             tell_silences();
+            tell_what_is_missing();
             if (now >= diagnostics_due) {
                 diagnostics_due = now + diagnostics_interval;
                 tell_diagnostics();
@@ -452,6 +459,19 @@ private:
                             (writers == 0 ? "its publisher is gone" : "its publisher is there") +
                             "; the run goes on when it comes back");
             }
+        }
+    }
+
+    /// A topic that an option names is waited for.
+    void tell_what_is_missing() {
+        const std::int64_t since_ns = surveyed_since_ns_;
+        if (since_ns == 0 || steady_now_ns() - since_ns < longest_survey_ns) {
+            return;
+        }
+        std::int64_t expected_ns = since_ns;
+        if (surveyed_since_ns_.compare_exchange_strong(expected_ns, 0)) {  // said once
+            log_info("still looking at what the robot publishes; nothing has come on " +
+                     joined(silence_.never_heard()) + "; those that an option names are waited for");
         }
     }
 
@@ -493,6 +513,7 @@ private:
     RosEnvironment environment_;
     RobotClock clock_;
     SilenceWatch silence_;
+    std::atomic<std::int64_t> surveyed_since_ns_ = 0;  ///< 0: the survey is over, or what it lacks has been said
     std::string first_scan_topic_;
     std::set<std::string> heard_;  ///< the topics that are subscribed to for the filter
 

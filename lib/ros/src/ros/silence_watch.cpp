@@ -55,6 +55,17 @@ std::size_t SilenceWatch::silences() const {
     return silences_;
 }
 
+std::vector<std::string> SilenceWatch::never_heard() const {
+    const std::lock_guard lock(mutex_);
+    std::vector<std::string> names;
+    for (const Topic& topic : topics_) {
+        if (topic.last_ns == 0) {
+            names.push_back(topic.name);
+        }
+    }
+    return names;
+}
+
 bool SilenceWatch::is_silent(std::size_t topic) const {
     const std::lock_guard lock(mutex_);
     return topics_[topic].is_silent;

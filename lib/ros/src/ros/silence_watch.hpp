@@ -5,6 +5,7 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace ddtool {
 
@@ -26,6 +27,8 @@ public:
     std::optional<Finding> look(std::int64_t now_ns);
     /// How often a topic fell silent.
     [[nodiscard]] std::size_t silences() const;
+    /// The topics on which nothing has ever come.
+    [[nodiscard]] std::vector<std::string> never_heard() const;
     /// Whether a topic is silent now.
     [[nodiscard]] bool is_silent(std::size_t topic) const;
 
