@@ -169,7 +169,13 @@ public:
         live_.add(frame, update, filter);
     }
 
-    void finish(const MapRaster& map, const Trajectory& path) override { live_.finish(map, path); }
+    void finish(const MapRaster& map, const Trajectory& path) override {
+        live_.finish(map, path);
+        if (const std::size_t passed = messages_.passed_over(); passed > 0) {
+            log_info(std::to_string(passed) + " of " + std::to_string(messages_.scans()) +
+                     " scans were passed over, because a newer one came while the filter was busy");
+        }
+    }
 
     [[nodiscard]] Json report() const override {
         const std::lock_guard lock(mutex_);
