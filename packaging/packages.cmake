@@ -1,4 +1,5 @@
-# Makes one Debian package for each component: ddtool, ddtool-torch (which needs LibTorch's 300 MB), and libddtool-dev.
+# Makes one Debian package for each component: ddtool, ddtool-torch (which needs LibTorch's 300 MB), ddtool-ros (which
+# needs a DDS library), and libddtool-dev.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME ddtool)
 set(CPACK_PACKAGE_CONTACT "ddtool developers <ddtool@users.noreply.github.com>")
@@ -10,6 +11,9 @@ set(CPACK_COMPONENTS_ALL runtime development)
 if(DDTOOL_WITH_TORCH)
   list(APPEND CPACK_COMPONENTS_ALL torch)
 endif()
+if(DDTOOL_WITH_DDS)
+  list(APPEND CPACK_COMPONENTS_ALL ros)
+endif()
 
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
@@ -18,11 +22,15 @@ set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
 
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_NAME ddtool)
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_SHLIBDEPS ON)
-set(CPACK_DEBIAN_RUNTIME_PACKAGE_SUGGESTS ddtool-torch)
+set(CPACK_DEBIAN_RUNTIME_PACKAGE_SUGGESTS "ddtool-torch, ddtool-ros")
 
 set(CPACK_DEBIAN_TORCH_PACKAGE_NAME ddtool-torch)
 set(CPACK_DEBIAN_TORCH_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_TORCH_PACKAGE_DEPENDS "ddtool (= ${PROJECT_VERSION})")
+
+set(CPACK_DEBIAN_ROS_PACKAGE_NAME ddtool-ros)
+set(CPACK_DEBIAN_ROS_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_ROS_PACKAGE_DEPENDS "ddtool (= ${PROJECT_VERSION})")
 
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libddtool-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)

@@ -49,6 +49,7 @@ struct Option {
     std::string needs = {};     ///< an option declared before this one, which must be given, too
     std::string excludes = {};  ///< an option declared before this one, which must not be given as well
     bool* given = nullptr;      ///< set to true if the option is given
+    bool takes_rest = false;    ///< all words after the option are its values, up to "--", if there is one
 };
 
 /// Settings inside the program for a command that is given no plan of its own. --set and options are merged into them.

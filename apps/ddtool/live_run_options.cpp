@@ -7,12 +7,11 @@
 
 namespace ddtool {
 
-void append_input_options(std::vector<Option>& options, LiveRunRequest& request) {
-    options.insert(options.end(),
-                   {{"--log", &request.log, log_file_help + std::string("; - is MCAP from standard input"), "FILE",
-                     Presence::required},
-                    {"--follow", &request.follow,
-                     "The log is MCAP that is still being written: wait for more, up to its footer"}});
+void append_input_options(std::vector<Option>& options, LiveRunRequest& request, Presence log) {
+    options.insert(options.end(), {{"--log", &request.log,
+                                    log_file_help + std::string("; - is MCAP from standard input"), "FILE", log},
+                                   {"--follow", &request.follow,
+                                    "The log is MCAP that is still being written: wait for more, up to its footer"}});
 }
 
 void append_serve_options(std::vector<Option>& options, LiveRunRequest& request) {

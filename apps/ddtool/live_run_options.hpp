@@ -23,8 +23,8 @@ struct LiveRunRequest {
     std::string address = "127.0.0.1";
 };
 
-/// Appends --log and --follow.
-void append_input_options(std::vector<Option>& options, LiveRunRequest& request);
+/// Appends --log, which is given or may be, and --follow.
+void append_input_options(std::vector<Option>& options, LiveRunRequest& request, Presence log);
 /// Appends --serve and --serve-address.
 void append_serve_options(std::vector<Option>& options, LiveRunRequest& request);
 

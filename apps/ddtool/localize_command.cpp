@@ -149,7 +149,7 @@ ExitCode localize(const LocalizeRequest& request, const Json& settings) {
 Command localize_command() {
     const auto request = std::make_shared<LocalizeRequest>();
     std::vector<Option> options{{"--map", &request->map, saved_map_help, "FILE", Presence::required}};
-    append_input_options(options, request->run);
+    append_input_options(options, request->run, Presence::required);
     options.insert(
         options.end(),
         {

@@ -144,6 +144,9 @@ void ParsedCommand::declare(const Option& option) {
     if (option.given != nullptr) {
         asked_for_.emplace_back(declared, option.given);
     }
+    if (option.takes_rest) {
+        declared->expected(1)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    }
 }
 
 void ParsedCommand::declare_files_and_assignments() {
@@ -287,12 +290,41 @@ std::string choices(const std::vector<std::string>& words) {
     return all;
 }
 
+namespace {
+
+/// The arguments with each word after an option that takes the rest tied to it, as --OPTION=WORD, because CLI11 would
+/// take the words for options of the command.
+std::vector<std::string> with_rest_tied(const CommandTable& commands, int argc, const char* const* argv) {
+    const auto takes_rest = [&](const std::string& word) {
+        return std::ranges::any_of(commands, [&](const Command& command) {
+            return std::ranges::any_of(command.options,
+                                       [&](const Option& option) { return option.takes_rest && option.name == word; });
+        });
+    };
+    std::vector<std::string> words;
+    std::string option;
+    for (int place = 1; place < argc; ++place) {
+        const std::string word = argv[place];
+        if (option.empty() && takes_rest(word)) {
+            option = word;
+        } else if (!option.empty() && word == "--") {
+            option.clear();
+        } else {
+            words.push_back(option.empty() ? word : option + "=" + word);
+        }
+    }
+    std::ranges::reverse(words);  // the order in which CLI11 takes them
+    return words;
+}
+
+}  // namespace
+
 HelpText help_text(const CommandTable& commands) { return text_of(ParsedProgram(commands).app); }
 
 ExitCode run_program(const CommandTable& commands, int argc, const char* const* argv) {
     ParsedProgram program(commands);
     try {
-        program.app.parse(argc, argv);
+        program.app.parse(with_rest_tied(commands, argc, argv));
     } catch (const CLI::Success& help_or_version) {
         program.app.exit(help_or_version);
         return ExitCode::done;

@@ -18,6 +18,8 @@
 #include "methods/settings_json.hpp"
 #include "number_list.hpp"
 #include "output_folder.hpp"
+#include "robot_provider.hpp"
+#include "run/placed_scans.hpp"
 #include "run/run_folder.hpp"
 #include "run/run_page.hpp"
 #include "run/run_summary.hpp"
@@ -34,6 +36,8 @@ namespace {
 
 struct SlamRequest {
     LiveRunRequest run;
+    bool ros = false;
+    std::vector<std::string> ros_arguments;
     std::string map;
     std::string initial_pose;
     std::string folder;
@@ -48,14 +52,29 @@ bool maps_now(const ParticleFilter& filter) {
     return localizer == nullptr || localizer->is_mapping();
 }
 
+/// Who hears of each scan after the filter.
+struct Listeners {
+    RunFolder& folder;
+    check::SelfCheck& check;
+    graph::NodeRecorder& recorder;
+    graph::BackEnd* back_end = nullptr;
+    Served* served = nullptr;
+    RobotLink* robot = nullptr;
+};
+
 /// Runs the filter over the scans. The filter is destroyed at the end, so that the memory of its particles can be
 /// returned before the pictures are drawn.
 FilterRun run_over(DrivenScans& scans, std::unique_ptr<ParticleFilter> filter, const InterruptRequest& interrupt,
-                   RunFolder& folder, check::SelfCheck& check, graph::NodeRecorder& recorder, graph::BackEnd* back_end,
-                   Served* served) {
+                   const Listeners& listeners) {
+    const auto& [folder, check, recorder, back_end, served, robot] = listeners;
     Progress progress("slam", "scans");
+    PlacedScans placed(scans, *filter,
+                       [&] { return robot != nullptr ? robot->take_initial_pose() : std::optional<Pose2>(); });
     bool was_mapping = maps_now(*filter);
-    FilterRun run = run_filter(scans, *filter, [&](const SensorFrame& frame, const std::optional<Update>& update) {
+    FilterRun run = run_filter(placed, *filter, [&](const SensorFrame& frame, const std::optional<Update>& update) {
+        if (robot != nullptr) {
+            robot->add(frame, update, *filter);  // first, because it waits for where it is
+        }
         folder.add(frame, update, *filter);
         check.add(frame, update);
         if (std::optional<graph::Node> node = recorder.add(frame, update); node && was_mapping) {
@@ -145,8 +164,28 @@ std::unique_ptr<ParticleFilter> filter_of(const SlamRequest& request, const Filt
         localization::MapUse::going_on);
 }
 
+/// What the scans come from, as messages and the folder of the results name it.
+std::string source_of(const SlamRequest& request) {
+    if (request.ros != request.run.log.empty()) {
+        throw UsageError("slam: expected --log FILE, or --ros for a robot that is driving now" +
+                         std::string(request.ros ? ", and not both" : ""));
+    }
+    if (request.ros && request.run.follow) {
+        throw UsageError("--follow: expected --log with the file that is being written; a robot is followed anyway");
+    }
+    return request.ros ? "ros" : request.run.log;
+}
+
+std::unique_ptr<LogStream> scans_of(const SlamRequest& request, const LogOptions& options,
+                                    const InterruptRequest& interrupt, LogReport& problems, RobotLink* robot) {
+    return robot != nullptr ? robot->scans(
+                                  options, [&interrupt] { return interrupt.made(); }, problems.handler())
+                            : open_run_log(request.run, options, interrupt, problems);
+}
+
 ExitCode slam(const SlamRequest& request, const Json& settings) {
     const auto start = std::chrono::steady_clock::now();
+    const std::string source = source_of(request);
     FilterSettings filter_settings = filter_settings_from_json(settings.at("filter"));
     std::optional<graph::BackEnd> back_end = back_end_of(settings, filter_settings);
     if (back_end && !request.map.empty()) {
@@ -162,22 +201,23 @@ ExitCode slam(const SlamRequest& request, const Json& settings) {
     detectors.know(truth);
     // The detector is made before the log is opened, because a detector that needs LibTorch starts the command anew.
     std::unique_ptr<ParticleFilter> filter = filter_of(request, filter_settings, detectors, threads, before);
+    const std::unique_ptr<RobotLink> robot = request.ros ? join_robot(request.ros_arguments) : nullptr;
     const std::unique_ptr<Served> served = served_by(request.run);
     LogReport problems;
     const InterruptRequest interrupt;
-    DrivenScans scans(open_run_log(request.run, log_options(settings.at("log")), interrupt, problems),
+    DrivenScans scans(scans_of(request, log_options(settings.at("log")), interrupt, problems, robot.get()),
                       filter_settings.rbpf);
     scans.tell_truth(truth);
-    const OutputFolder output(request.folder, name_of_results(request.run.log));
+    const OutputFolder output(request.folder, name_of_results(source));
     RunFolder folder(output.path(), request.with_snapshots);
     folder.begin_map_file(program_version(), settings, filter_settings.rbpf.grid, before ? &*before : nullptr);
     check::SelfCheck check;
     graph::NodeRecorder recorder(filter_settings.rbpf);
-    FilterRun result = run_over(scans, std::move(filter), interrupt, folder, check, recorder,
-                                back_end ? &*back_end : nullptr, served.get());
+    FilterRun result = run_over(scans, std::move(filter), interrupt,
+                                {folder, check, recorder, back_end ? &*back_end : nullptr, served.get(), robot.get()});
     return_freed_memory();  // returns the memory of the particles' maps before the pictures are drawn
     if (result.trajectory.empty()) {
-        throw Error(request.run.log + ": no scans that can be used");
+        throw Error(source + ": no scans that can be used");
     }
     std::string back_end_problem;
     const std::optional<BackEndResults> results_of_back_end =
@@ -186,43 +226,49 @@ ExitCode slam(const SlamRequest& request, const Json& settings) {
     if (served) {
         served->run.finish(map, result.trajectory);
     }
+    if (robot) {
+        robot->finish(map, result.trajectory);
+    }
     folder.finish(result, map);
     folder.write_back_end(results_of_back_end ? &*results_of_back_end : nullptr);
-    folder.finish_map_file(request.run.log, result,
-                           results_of_back_end ? &results_of_back_end->smoothed.graph : nullptr);
+    folder.finish_map_file(source, result, results_of_back_end ? &results_of_back_end->smoothed.graph : nullptr);
     folder.write_json("config.json", settings);
     const RunSummary run = run_summary(result, map, folder.course(), folder.write_s());
     const RunCost cost = run_cost(request.threads, start);
     const check::Evidence evidence = check.evidence(result.trajectory);
     const check::Verdict verdict = check::verdict_of(evidence);
-    const Json log = log_report(request.run.log, scans.summary());
+    const Json log = log_report(source, scans.summary());
     const Json versions = version_report();
     const Json results{{"command", "slam"},
                        {"versions", versions},
                        {"settings", settings},
                        {"parts", parts_json(filter_settings.method)},
                        {"log", log},
-                       {"interrupted", interrupt.made()},
+                       {"interrupted", interrupt.made() && !request.ros},
                        {"ended_early", result.ended_early},
                        {"run", to_run_json(run)},
                        {"self_check", check::self_check_json(verdict, evidence)},
                        {"back_end", results_of_back_end ? back_end_json(*results_of_back_end) : Json()},
                        {"cost", cost}};
     folder.write_json("run.json", results);
-    std::vector<std::string> losses = shortfalls(request.run.log, scans.summary(), interrupt.made(), result);
+    std::vector<std::string> losses = shortfalls(source, scans.summary(), interrupt.made() && !request.ros, result);
+    if (robot) {
+        const std::vector<std::string> of_robot = robot->losses();
+        losses.insert(losses.end(), of_robot.begin(), of_robot.end());
+    }
     const std::vector<std::string> doubts = doubts_of(verdict);
     if (before && folder.scans_in_map() == 0) {
-        losses.push_back(request.run.log + ": the robot was never sure of its place in " + request.map +
+        losses.push_back(source + ": the robot was never sure of its place in " + request.map +
                          ": nothing was added to the map");
     }
     if (!back_end_problem.empty()) {
-        losses.push_back(request.run.log + ": " + back_end_problem);
+        losses.push_back(source + ": " + back_end_problem);
     }
     losses.insert(losses.end(), doubts.begin(), doubts.end());
     std::vector<std::string> warnings = log_warnings(scans.summary());
     warnings.insert(warnings.end(), losses.begin(), losses.end());
     const bool has_page = folder.write_page([&] {
-        return run_page({.log_file = request.run.log,
+        return run_page({.log_file = source,
                          .warnings = warnings,
                          .run = result,
                          .map = map,
@@ -252,10 +298,15 @@ ExitCode slam(const SlamRequest& request, const Json& settings) {
 Command slam_command() {
     const auto request = std::make_shared<SlamRequest>();
     std::vector<Option> options;
-    append_input_options(options, request->run);
+    append_input_options(options, request->run, Presence::optional);
     options.insert(
         options.end(),
         {
+            {.name = "--ros",
+             .value = &request->ros,
+             .help = "Map a robot of ROS 2 that is driving now, until Ctrl-C: its scans, odometry and transforms are "
+                     "read, map -> odom and the map are published",
+             .excludes = "--log"},
             {"--map", &request->map,
              "Go on with this map, a map.ddmap of a run: the robot finds its place in it first, and its origin stays",
              "FILE.ddmap"},
@@ -282,9 +333,17 @@ Command slam_command() {
         });
     append_log_options(options);
     append_serve_options(options, request->run);
-    options.insert(options.end(), {{"--snapshots", &request->with_snapshots,
-                                    "Write snapshots.mcap, too: the particles before each resampling"},
-                                   {"--json", &request->as_json, "Print run.json instead of a summary"}});
+    options.insert(
+        options.end(),
+        {{.name = "--ros-args",
+          .value = &request->ros_arguments,
+          .help = "What a node of ROS 2 takes, up to the end of the line or --: -r FROM:=TO (topics, __ns, __node), "
+                  "-p use_sim_time:=true, -p transform_tolerance:=SECONDS",
+          .type = "WORDS",
+          .needs = "--ros",
+          .takes_rest = true},
+         {"--snapshots", &request->with_snapshots, "Write snapshots.mcap, too: the particles before each resampling"},
+         {"--json", &request->as_json, "Print run.json instead of a summary"}});
     return {.name = "slam",
             .summary = "Map and trajectory from a log",
             .example = "ddtool slam --log run.mcap",

@@ -32,8 +32,8 @@ private:
         write(std::uint32_t{7});
         (*this)(header.stamp, header.frame_id);
     }
-    template <std::size_t size>
-    void write(const std::array<double, size>& values) {
+    template <typename Value, std::size_t size>
+    void write(const std::array<Value, size>& values) {
         append(std::as_bytes(std::span(values)));
     }
     template <typename Value>

@@ -170,5 +170,22 @@ TEST(Program, VersionNamesTheCommitAndTheLibraries) {
     EXPECT_EQ(out, version_text() + "\n");
 }
 
+TEST(Program, AnOptionMayTakeTheRestOfTheLineUpToTwoDashes) {
+    std::vector<std::string> rest;
+    std::string out;
+    const CommandTable commands{
+        {.name = "drive",
+         .summary = "Takes words",
+         .example = "ddtool drive",
+         .options = {{.name = "--ros-args", .value = &rest, .help = "Words", .takes_rest = true},
+                     {.name = "--out", .value = &out, .help = "Where"}},
+         .run = [](const Json&) { return ExitCode::done; }}};
+    const std::vector<const char*> words{"ddtool",  "drive", "--ros-args", "-r",    "a:=/b",
+                                         "--param", "c:=1",  "--",         "--out", "folder"};
+    EXPECT_EQ(run_program(commands, static_cast<int>(words.size()), words.data()), ExitCode::done);
+    EXPECT_THAT(rest, testing::ElementsAre("-r", "a:=/b", "--param", "c:=1"));
+    EXPECT_EQ(out, "folder");
+}
+
 }  // namespace
 }  // namespace ddtool

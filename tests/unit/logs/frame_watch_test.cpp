@@ -54,6 +54,17 @@ protected:
     std::vector<std::string> findings_;
 };
 
+TEST_F(Watched, OfADrivingRobotNoFrameWaitsAndStuckOdometryIsStillSeen) {
+    watch_ = FrameWatch(0);
+    for (int i = 0; i < 60; ++i) {
+        frame(5.0, 0.1 * i);
+        EXPECT_EQ(taken_.size(), static_cast<std::size_t>(i) + 1);
+    }
+    EXPECT_EQ(taken_.back().odom_step, OdometryStep::unknown);
+    end();
+    EXPECT_THAT(findings_, ElementsAre(HasSubstr("the odometry is stuck")));
+}
+
 TEST_F(Watched, WhatAgreesPassesAtOnce) {
     for (int i = 0; i < 20; ++i) {
         frame(0.1 * i, 0.1 * i);

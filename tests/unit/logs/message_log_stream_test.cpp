@@ -64,6 +64,11 @@ protected:
             [this](const LogProblemHandler&) { return log_.open(); }, MessageLogStream::Opening::twice, "test", "log",
             options, [this](const LogProblem& problem) { problems_.push_back(problem.what); });
     }
+    std::unique_ptr<MessageLogStream> open_live() {
+        return std::make_unique<MessageLogStream>(
+            [this](const LogProblemHandler&) { return log_.open(); }, MessageLogStream::Opening::live, "test", "robot",
+            LogOptions{}, [this](const LogProblem& problem) { problems_.push_back(problem.what); });
+    }
     std::vector<SensorFrame> read(const LogOptions& options = {}) {
         stream_ = open(options);
         std::vector<SensorFrame> frames;
@@ -266,6 +271,51 @@ TEST_F(Log, WhereTimeStepsBackTheOdometryBesideTheScanCounts) {
         positions.push_back(frame.odom_from_robot.x_m);
     }
     EXPECT_THAT(positions, ElementsAre(0.0, 4.0, 5.0, 6.0, 7.0));
+}
+
+TEST_F(Log, OfADrivingRobotAScanDoesNotWaitForThePoseAfterIt) {
+    for (int step = 0; step < 250; ++step) {
+        const double now_s = 10.0 + 0.02 * step;
+        odometry(now_s, now_s);
+        scan(now_s + 0.01);
+    }
+    const auto stream = open_live();
+    std::optional<SensorFrame> last;
+    for (int frame = 0; frame < 200; ++frame) {
+        last = stream->next();
+        ASSERT_TRUE(last);
+    }
+    EXPECT_EQ(stream->fraction_read(), 0.8) << "nothing after the scan was read";
+    EXPECT_NEAR(last->odom_from_robot.x_m, 10.0 + 0.02 * 199 + 0.01, 1e-6) << "the motion goes on";
+    EXPECT_EQ(last->odom_step, OdometryStep::measured);
+    EXPECT_EQ(stream->summary().odom_frame, "odom");
+    EXPECT_EQ(stream->summary().robot_frame, "base");
+}
+
+TEST_F(Log, OfADrivingRobotAScanWaitsHalfASecondForOdometryThatDoesNotCome) {
+    for (int step = 0; step < 300; ++step) {
+        const double now_s = 10.0 + 0.02 * step;
+        scan(now_s);
+        if (step < 200) {
+            odometry(now_s, now_s);
+        }
+    }
+    const auto stream = open_live();
+    for (int frame = 0; frame < 270; ++frame) {
+        ASSERT_TRUE(stream->next());
+    }
+    const double waiting = 500.0 * (1.0 - stream->fraction_read());
+    EXPECT_NEAR(waiting, 500.0 - 470.0 - 26.0, 1.0) << "25 scans are half a second";
+}
+
+TEST_F(Log, OfADrivingRobotThreeSecondsAreLookedAtBeforeTheFirstFrame) {
+    odometry(0.0, 0.0);
+    for (int step = 0; step < 50; ++step) {
+        scan(100.0 + 0.1 * step);
+        odometry(100.0 + 0.1 * step, 0.1 * step);
+    }
+    const auto stream = open_live();
+    EXPECT_NEAR(stream->fraction_read(), (1.0 + 2.0 * 31) / 101.0, 0.03);
 }
 
 TEST_F(Log, DeadOdometryDoesNotHoldUpScansForever) {

@@ -27,9 +27,9 @@ private:
     void fill(RosTime& time) {
         time.ns = 1'700'000'000'000'000'000 + static_cast<std::int64_t>(random_.index(1 << 30));
     }
-    template <std::size_t size>
-    void fill(std::array<double, size>& values) {
-        for (double& value : values) {
+    template <typename Value, std::size_t size>
+    void fill(std::array<Value, size>& values) {
+        for (Value& value : values) {
             fill(value);
         }
     }
@@ -57,7 +57,8 @@ class RosCodec : public testing::Test {};
 
 using Messages = testing::Types<RosTFMessage, RosLaserScan, RosMultiEchoLaserScan, RosPointCloud2, RosOdometry,
                                 RosPoseStamped, RosPoseArray, RosPath, RosOccupancyGrid, RosFloat64MultiArray,
-                                RosParticleSnapshot, RosTwistStamped, RosTwistWithCovarianceStamped>;
+                                RosParticleSnapshot, RosTwistStamped, RosTwistWithCovarianceStamped, RosDiagnosticArray,
+                                RosClock, RosParticipantEntities<16>, RosParticipantEntities<24>>;
 TYPED_TEST_SUITE(RosCodec, Messages);
 
 /// Messages have no operator==. Their ROS 1 encodings are compared instead, which contain all fields and no padding.
@@ -151,9 +152,9 @@ private:
         write(static_cast<std::int32_t>(time.ns / 1'000'000'000));
         write(static_cast<std::uint32_t>(time.ns % 1'000'000'000));
     }
-    template <std::size_t size>
-    void write(const std::array<double, size>& values) {
-        std::ranges::for_each(values, [&](double value) { write(value); });
+    template <typename Value, std::size_t size>
+    void write(const std::array<Value, size>& values) {
+        std::ranges::for_each(values, [&](Value value) { write(value); });
     }
     template <typename Value>
     void write(const std::vector<Value>& values) {

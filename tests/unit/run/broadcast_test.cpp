@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstring>
 #include <functional>
+#include <numeric>
 #include <random>
 #include <set>
 
@@ -201,6 +202,60 @@ TEST_F(BroadcastTest, WhoeverReadsAtHisPaceGetsAnOrderedPartWithTheLatest) {
     }
     EXPECT_LT(stamps(0, 7).size(), stamps(1, 7).size()) << "the faster reader has more";
     EXPECT_EQ(stamps(3, 7).size(), 2001U) << "who is fast enough misses nothing";
+}
+
+TEST_F(BroadcastTest, GivesTheDegreesHistoryToWhoComesLate) {
+    publish("/map", 1);
+    for (std::int64_t stamp_ns = 2; stamp_ns <= 40; ++stamp_ns) {
+        publish("/degeneracy", stamp_ns);
+    }
+    publish("/map", 50);
+    broadcast_.opened(5);
+    subscribe(5, 70, 0);
+    EXPECT_THAT(stamps(5, 70), ElementsAre(50)) << "of a map only the latest";
+    links_.times[5].clear();
+    subscribe(5, 71, 1);
+    std::vector<std::int64_t> all(39);
+    std::iota(all.begin(), all.end(), 2);
+    EXPECT_EQ(stamps(5, 71), all);
+    EXPECT_THAT(stamps(5, 70), ElementsAre(50, 50)) << "again, because the clock was set back";
+    ASSERT_EQ(links_.times[5].size(), 40U);
+    std::int64_t told_ns = 0;
+    std::memcpy(&told_ns, links_.times[5].back().data() + 1, sizeof told_ns);
+    EXPECT_EQ(told_ns, 50);
+    publish("/degeneracy", 60);
+    EXPECT_EQ(stamps(5, 71).back(), 60);
+    EXPECT_EQ(stamps(5, 71).size(), 40U);
+}
+
+TEST_F(BroadcastTest, GivesASlowClientNoHistory) {
+    publish("/map", 1, Broadcast::backlog_bytes);
+    publish("/degeneracy", 2);
+    publish("/degeneracy", 3);
+    links_.slow.insert(5);
+    broadcast_.opened(5);
+    subscribe(5, 70, 0);
+    subscribe(5, 71, 1);
+    EXPECT_THAT(stamps(5, 71), IsEmpty());
+    links_.unsent[5] = 0;
+    broadcast_.catch_up();
+    EXPECT_THAT(stamps(5, 71), ElementsAre(3));
+}
+
+TEST(MessageHistory, KeepsALongRunFromItsStartToItsEndInBoundedMemory) {
+    MessageHistory history;
+    constexpr std::int64_t messages = 100'001;
+    for (std::int64_t stamp_ns = 0; stamp_ns < messages; ++stamp_ns) {
+        history.add(std::make_shared<const LiveMessage>(LiveMessage{"/degeneracy", "", stamp_ns, {}}));
+    }
+    const auto kept = history.messages();
+    EXPECT_LE(kept.size(), MessageHistory::most_kept + 1);
+    EXPECT_GE(kept.size(), MessageHistory::most_kept / 2);
+    EXPECT_EQ(kept.front()->stamp_ns, 0);
+    EXPECT_EQ(kept.back()->stamp_ns, messages - 1);
+    for (std::size_t place = 2; place + 1 < kept.size(); ++place) {
+        EXPECT_EQ(kept[place]->stamp_ns - kept[place - 1]->stamp_ns, kept[1]->stamp_ns);
+    }
 }
 
 }  // namespace

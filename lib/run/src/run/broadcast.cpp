@@ -6,12 +6,20 @@
 #include "ddtool/base/error.hpp"
 
 namespace ddtool {
+namespace {
+
+constexpr const char* topic_with_history = "/degeneracy";
+
+}  // namespace
 
 Broadcast::Broadcast(ClientLinks& links, std::string session) : links_(links), session_(std::move(session)) {}
 
 void Broadcast::publish(std::shared_ptr<const LiveMessage> message) {
     const ChannelId channel = channel_of(*message);
     tell_time(message->stamp_ns);
+    if (message->topic == topic_with_history) {
+        histories_[channel].add(message);
+    }
     latest_[channel] = std::move(message);
     for (auto& [client, wishes] : clients_) {
         if (wishes.subscriptions.contains(channel)) {
@@ -92,13 +100,30 @@ void Broadcast::owe(ClientId client, Wishes& wishes, ChannelId channel) {
 
 void Broadcast::pay(ClientId client, Wishes& wishes) {
     while (!wishes.behind.empty() && has_room(client)) {
-        send_latest(client, wishes, wishes.behind.front());
+        send(client, wishes, wishes.behind.front(), *latest_[wishes.behind.front()]);
         wishes.behind.pop_front();
     }
 }
 
-void Broadcast::send_latest(ClientId client, const Wishes& wishes, ChannelId channel) {
-    const LiveMessage& message = *latest_[channel];
+bool Broadcast::send_history(ClientId client, Wishes& wishes, ChannelId channel) {
+    const auto history = histories_.find(channel);
+    if (history == histories_.end() || !has_room(client)) {
+        return false;
+    }
+    for (const std::shared_ptr<const LiveMessage>& message : history->second.messages()) {
+        links_.send_binary(client, foxglove_time_message(message->stamp_ns));
+        send(client, wishes, channel, *message);
+    }
+    links_.send_binary(client, foxglove_time_message(*time_ns_));
+    for (const auto& [other, subscription] : wishes.subscriptions) {
+        if (other != channel) {
+            owe(client, wishes, other);
+        }
+    }
+    return true;
+}
+
+void Broadcast::send(ClientId client, const Wishes& wishes, ChannelId channel, const LiveMessage& message) {
     links_.send_binary(client, foxglove_data_message(wishes.subscriptions.at(channel), message.stamp_ns, message.data));
 }
 
@@ -114,7 +139,9 @@ void Broadcast::subscribe(ClientId client, const FoxgloveSubscription& wanted) {
                                     std::to_string(wanted.channel) + " is in use");
     }
     wishes.subscriptions.emplace(wanted.channel, wanted.id);
-    owe(client, wishes, wanted.channel);
+    if (!send_history(client, wishes, wanted.channel)) {
+        owe(client, wishes, wanted.channel);
+    }
 }
 
 void Broadcast::unsubscribe(ClientId client, std::uint32_t subscription) {

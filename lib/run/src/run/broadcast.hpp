@@ -11,21 +11,20 @@
 
 #include "run/client_links.hpp"
 #include "run/foxglove_protocol.hpp"
+#include "run/message_history.hpp"
 
 namespace ddtool {
-
-struct LiveMessage {
-    std::string topic;
-    std::string type_name;
-    std::int64_t stamp_ns = 0;
-    std::vector<std::byte> data;  ///< the ROS 2 message, serialised as CDR
-};
 
 /// Decides which client gets which message: the Foxglove protocol without the network. The latest message of each topic
 /// is kept. A subscriber gets it at once, and then every later message as long as they read fast enough. A slow
 /// subscriber misses messages, but gets the latest of each topic as soon as they have read what is waiting for them. So
-/// a client never occupies more memory than backlog_bytes and one message. Not thread-safe: use it from one thread
-/// only.
+/// a client never occupies more memory than backlog_bytes, one message and the history. Not thread-safe: use it from
+/// one thread only.
+///
+/// Of /degeneracy the whole history is kept, so that a viewer who comes late can draw the degree of the whole run. A
+/// viewer places a message where the server's clock is when it comes. So the clock is set back to the first of them,
+/// and goes with them to the present. Viewers forget what they have when the clock is set back, so that the latest
+/// messages of their other topics are sent again.
 class Broadcast {
 public:
     static constexpr std::size_t backlog_bytes = std::size_t{1} << 20;
@@ -55,7 +54,9 @@ private:
     void tell_time(std::int64_t stamp_ns);
     void owe(ClientId client, Wishes& wishes, ChannelId channel);
     void pay(ClientId client, Wishes& wishes);
-    void send_latest(ClientId client, const Wishes& wishes, ChannelId channel);
+    void send(ClientId client, const Wishes& wishes, ChannelId channel, const LiveMessage& message);
+    /// Sends the history of a channel instead of its latest message, if it has one and the client has room.
+    bool send_history(ClientId client, Wishes& wishes, ChannelId channel);
     void subscribe(ClientId client, const FoxgloveSubscription& wanted);
     void unsubscribe(ClientId client, std::uint32_t subscription);
     void complain(ClientId client, const std::string& text);
@@ -64,6 +65,7 @@ private:
     std::string session_;
     std::vector<FoxgloveChannel> channels_;  ///< by their ids
     std::vector<std::shared_ptr<const LiveMessage>> latest_;
+    std::map<ChannelId, MessageHistory> histories_;
     std::optional<std::int64_t> time_ns_;
     std::map<ClientId, Wishes> clients_;
 };

@@ -10,7 +10,8 @@ namespace ddtool {
 /// of wall time, or less often where they take long to make.
 class LiveRun {
 public:
-    explicit LiveRun(Ros2Sink& sink) : messages_(sink) {}
+    explicit LiveRun(Ros2Sink& sink, RunMessages::Reader reader = RunMessages::Reader::viewer)
+        : messages_(sink, reader) {}
 
     /// Call this after the filter has processed the frame. `update` is empty where the frame caused no update.
     void add(const SensorFrame& frame, const std::optional<Update>& update, const ParticleFilter& filter);

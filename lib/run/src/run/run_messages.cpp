@@ -36,8 +36,10 @@ Trajectory thinned(const Trajectory& path) {
 }  // namespace
 
 void RunMessages::add(const SensorFrame& frame, const Update& update) {
-    write_transforms(frame, update.pose);
-    sink_.write("/scan", frame.scan.stamp_ns, scan_message(frame.scan, laser_frame));
+    if (reader_ == Reader::viewer) {
+        write_transforms(frame, update.pose);
+        sink_.write("/scan", frame.scan.stamp_ns, scan_message(frame.scan, laser_frame));
+    }
     write_particles(update.corrected);
     write_degeneracy(summary_of(update));
 }

@@ -15,9 +15,13 @@ namespace ddtool {
 /// Publishes a run as ROS 2 messages for Foxglove and RViz (docs/formats/results.md): the scans that the filter used,
 /// its particles and its degree of degeneracy, the transforms map -> odom -> base_link -> laser, and, on request, the
 /// map and the path.
+///
+/// A robot that is driving has its own scans and transforms, so that it gets neither.
 class RunMessages {
 public:
-    explicit RunMessages(Ros2Sink& sink) : sink_(sink) {}
+    enum class Reader { viewer, robot };
+
+    explicit RunMessages(Ros2Sink& sink, Reader reader = Reader::viewer) : sink_(sink), reader_(reader) {}
 
     /// Publishes the result of the filter update that the frame caused.
     void add(const SensorFrame& frame, const Update& update);
@@ -34,6 +38,7 @@ private:
     void write_path(std::int64_t stamp_ns, const Trajectory& path);
 
     Ros2Sink& sink_;
+    Reader reader_;
     std::optional<Pose2> robot_from_laser_;  ///< as last written
 };
 

@@ -62,6 +62,8 @@ struct LogSummary {
     std::string scan_topic;                     ///< of the first lidar
     std::vector<std::string> more_scan_topics;  ///< of the other lidars that are used with it
     std::string odom_topic;                     ///< empty: the log has no odometry
+    std::string odom_frame;                     ///< in which the odometry gives its poses; empty: it does not say so
+    std::string robot_frame;                    ///< whose poses they are; empty: it does not say so
     bool has_odometry = true;                   ///< known from the start; false: odom_from_robot is the identity
     std::optional<OdometryDelay> odom_delay;    ///< empty: it could not be measured
     double odom_delay_removed_s = 0.0;          ///< what was taken off the odometry's stamps

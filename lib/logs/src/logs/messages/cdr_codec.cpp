@@ -47,8 +47,8 @@ private:
         write(static_cast<std::int32_t>((time.ns - below) / ns_per_s));
         write(static_cast<std::uint32_t>(below));
     }
-    template <std::size_t size>
-    void write(const std::array<double, size>& values) {
+    template <Scalar Value, std::size_t size>
+    void write(const std::array<Value, size>& values) {
         write_all(values);
     }
     template <typename Value>
@@ -137,8 +137,8 @@ private:
         cdr_.deserialize(nanoseconds);
         time.ns = seconds * ns_per_s + nanoseconds;
     }
-    template <std::size_t size>
-    void read(std::array<double, size>& values) {
+    template <Scalar Value, std::size_t size>
+    void read(std::array<Value, size>& values) {
         read_all(values);
     }
     /// The count may be damaged and huge. Numbers are therefore read only if the remaining bytes suffice for them, and
@@ -247,6 +247,10 @@ DDTOOL_CDR(RosMapDrive)
 DDTOOL_CDR(RosMapGraph)
 DDTOOL_CDR(RosMapTile)
 DDTOOL_CDR(RosMapEnd)
+DDTOOL_CDR(RosDiagnosticArray)
+DDTOOL_CDR(RosClock)
+DDTOOL_CDR(RosParticipantEntities<16>)
+DDTOOL_CDR(RosParticipantEntities<24>)
 #undef DDTOOL_CDR
 
 }  // namespace ddtool

@@ -12,7 +12,7 @@ struct Definition {
     std::string_view text;
 };
 
-constexpr std::array<Definition, 35> definitions{{
+constexpr std::array<Definition, 44> definitions{{
     {"builtin_interfaces/Time", "int32 sec\nuint32 nanosec\n"},
     {"std_msgs/Header", "builtin_interfaces/Time stamp\nstring frame_id\n"},
     {"std_msgs/MultiArrayDimension", "string label\nuint32 size\nuint32 stride\n"},
@@ -40,6 +40,10 @@ constexpr std::array<Definition, 35> definitions{{
      "std_msgs/Header header\ngeometry_msgs/Quaternion orientation\nfloat64[9] orientation_covariance\n"
      "geometry_msgs/Vector3 angular_velocity\nfloat64[9] angular_velocity_covariance\n"
      "geometry_msgs/Vector3 linear_acceleration\nfloat64[9] linear_acceleration_covariance\n"},
+    {"sensor_msgs/PointField", "string name\nuint32 offset\nuint8 datatype\nuint32 count\n"},
+    {"sensor_msgs/PointCloud2",
+     "std_msgs/Header header\nuint32 height\nuint32 width\nsensor_msgs/PointField[] fields\nbool is_bigendian\n"
+     "uint32 point_step\nuint32 row_step\nuint8[] data\nbool is_dense\n"},
     {"nav_msgs/Odometry",
      "std_msgs/Header header\nstring child_frame_id\ngeometry_msgs/PoseWithCovariance pose\n"
      "geometry_msgs/TwistWithCovariance twist\n"},
@@ -48,6 +52,17 @@ constexpr std::array<Definition, 35> definitions{{
     {"nav_msgs/MapMetaData",
      "builtin_interfaces/Time map_load_time\nfloat32 resolution\nuint32 width\nuint32 height\n"
      "geometry_msgs/Pose origin\n"},
+    {"diagnostic_msgs/KeyValue", "string key\nstring value\n"},
+    {"diagnostic_msgs/DiagnosticStatus",
+     "byte level\nstring name\nstring message\nstring hardware_id\ndiagnostic_msgs/KeyValue[] values\n"},
+    {"diagnostic_msgs/DiagnosticArray", "std_msgs/Header header\ndiagnostic_msgs/DiagnosticStatus[] status\n"},
+    {"rosgraph_msgs/Clock", "builtin_interfaces/Time clock\n"},
+    {"rmw_dds_common/Gid", "uint8[16] data\n"},
+    {"rmw_dds_common/NodeEntitiesInfo",
+     "string<=256 node_namespace\nstring<=256 node_name\nrmw_dds_common/Gid[] reader_gid_seq\n"
+     "rmw_dds_common/Gid[] writer_gid_seq\n"},
+    {"rmw_dds_common/ParticipantEntitiesInfo",
+     "rmw_dds_common/Gid gid\nrmw_dds_common/NodeEntitiesInfo[] node_entities_info_seq\n"},
     {"geometry_msgs/Pose2D", "float64 x\nfloat64 y\nfloat64 theta\n"},
     {"ddtool_msgs/SnapshotParticle",
      "geometry_msgs/Pose2D pose\ngeometry_msgs/Pose2D matched_motion\ngeometry_msgs/Pose2D predicted_motion\n"

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -246,6 +247,74 @@ struct RosOccupancyGrid {
         archive(message.header, message.map_load_time, message.resolution, message.width, message.height,
                 message.origin, message.data);
     }
+};
+
+struct RosKeyValue {
+    std::string key;
+    std::string value;
+
+    static void fields(auto& message, auto& archive) { archive(message.key, message.value); }
+};
+
+struct RosDiagnosticStatus {
+    static constexpr std::uint8_t ok = 0;
+    static constexpr std::uint8_t warning = 1;
+    static constexpr std::uint8_t error = 2;
+    static constexpr std::uint8_t stale = 3;
+    std::uint8_t level = ok;
+    std::string name;  ///< of the part that is judged
+    std::string message;
+    std::string hardware_id;
+    std::vector<RosKeyValue> values;
+
+    static void fields(auto& message, auto& archive) {
+        archive(message.level, message.name, message.message, message.hardware_id, message.values);
+    }
+};
+
+struct RosDiagnosticArray {
+    static constexpr const char* type_name = "diagnostic_msgs/msg/DiagnosticArray";
+    RosHeader header;
+    std::vector<RosDiagnosticStatus> status;
+
+    static void fields(auto& message, auto& archive) { archive(message.header, message.status); }
+};
+
+struct RosClock {
+    static constexpr const char* type_name = "rosgraph_msgs/msg/Clock";
+    RosTime clock;
+
+    static void fields(auto& message, auto& archive) { archive(message.clock); }
+};
+
+/// The identity of a DDS participant, reader or writer: its GUID, and in ROS 2 before Iron, which has 24 bytes, zeros.
+template <std::size_t size>
+struct RosGid {
+    std::array<std::uint8_t, size> data{};
+
+    static void fields(auto& message, auto& archive) { archive(message.data); }
+};
+
+template <std::size_t gid_bytes>
+struct RosNodeEntities {
+    std::string node_namespace;
+    std::string node_name;
+    std::vector<RosGid<gid_bytes>> readers;
+    std::vector<RosGid<gid_bytes>> writers;
+
+    static void fields(auto& message, auto& archive) {
+        archive(message.node_namespace, message.node_name, message.readers, message.writers);
+    }
+};
+
+/// Which nodes a DDS participant holds, and which readers and writers are theirs.
+template <std::size_t gid_bytes>
+struct RosParticipantEntities {
+    static constexpr const char* type_name = "rmw_dds_common/msg/ParticipantEntitiesInfo";
+    RosGid<gid_bytes> participant;
+    std::vector<RosNodeEntities<gid_bytes>> nodes;
+
+    static void fields(auto& message, auto& archive) { archive(message.participant, message.nodes); }
 };
 
 struct RosPose2D {

@@ -66,7 +66,7 @@ void FrameWatch::stand(SensorFrame frame) {
         }
         stuck_scans_ += waiting_.size();
         release_waiting();
-    } else if (waiting_.size() > (passed > 0 ? most_waiting : unchanged_waiting)) {
+    } else if (waiting_.size() > std::min(most_held_, passed > 0 ? most_waiting : unchanged_waiting)) {
         ready_.push_back(std::move(waiting_.front()));
         waiting_.pop_front();
     }

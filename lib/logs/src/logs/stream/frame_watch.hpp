@@ -31,6 +31,10 @@ public:
     static constexpr std::size_t unchanged_waiting = 16;
     static constexpr std::size_t most_waiting = 64;
 
+    FrameWatch() = default;
+    /// \param most_held so many frames wait at most for what comes after them
+    explicit FrameWatch(std::size_t most_held) : most_held_(most_held) {}
+
     void add(SensorFrame frame);
     /// There are no more frames: those that wait are ready.
     void end();
@@ -58,6 +62,7 @@ private:
     [[nodiscard]] std::size_t places_passed(const SensorFrame& frame);
     [[nodiscard]] std::string at(std::int64_t stamp_ns) const;
 
+    std::size_t most_held_ = most_waiting;
     std::deque<SensorFrame> ready_;
     std::deque<SensorFrame> waiting_;       ///< while the odometry stands
     std::optional<StampedPose> before_;     ///< odom_from_robot at the last frame

@@ -355,7 +355,7 @@ private:
             return false;
         }
         plan_.odom_topic = topic.topic;
-        plan_.robot_frame = topic.tracks.begin()->first.second;
+        std::tie(plan_.odom_frame, plan_.robot_frame) = topic.tracks.begin()->first;
         return true;
     }
 
@@ -481,6 +481,7 @@ private:
         plan_.odom_topic = topic.topic;
         plan_.odom_frame = parent;
         plan_.robot_frame = child;
+        plan_.odom_is_transform = true;
         if (!names_odometry(parent)) {
             assume("no frame is named odom; the transform " + parent + " -> " + child + " is taken as odometry");
         }

@@ -31,10 +31,10 @@ struct LogPlan {
     bool imu_is_named = false;                               ///< by the options
     Eigen::Vector3d imu_upwards = Eigen::Vector3d::UnitZ();  ///< the robot's z axis in the sensor's frame
     std::int64_t imu_clock_offset_ns = 0;                    ///< added to its stamps
-    bool has_information = false;  ///< the log has the Fisher information of every scan, from the simulator
-    /// If the odometry comes from transforms: the frames between which the transform is taken.
-    std::string odom_frame;
-    std::string robot_frame;
+    bool has_information = false;    ///< the log has the Fisher information of every scan, from the simulator
+    std::string odom_frame;          ///< in which the odometry gives its poses
+    std::string robot_frame;         ///< whose poses they are
+    bool odom_is_transform = false;  ///< the odometry is the transform between these frames
     /// Which of the interleaved paths is used, as its InterleavedPaths::lineage(); empty: there is one path.
     std::vector<std::size_t> odom_lineage;
     StampRule odom_stamps;

@@ -14,6 +14,7 @@ namespace ddtool {
 namespace {
 
 constexpr double usual_extent_ns = 10e9;
+constexpr double soon_extent_ns = 3e9;
 /// What is looked through of a log that can be read only once is kept in memory.
 constexpr std::size_t most_cloud_bytes = std::size_t{256} << 20;
 
@@ -23,7 +24,8 @@ public:
 
     void take(const McapMessage& message) {
         first_ns_ = first_ns_.value_or(message.log_time_ns);
-        extent_ns_ = static_cast<double>(message.log_time_ns) - static_cast<double>(*first_ns_);
+        latest_ns_ = message.log_time_ns;
+        extent_ns_ = static_cast<double>(latest_ns_) - static_cast<double>(*first_ns_);
         has_information_ = has_information_ || is_information(*message.channel);
         const MessageKind kind = kind_of(*message.channel);
         TopicSurvey& topic = topics_[message.channel->topic];
@@ -34,6 +36,9 @@ public:
         }
         if (kind != topic.kind) {
             return;  // a topic of two types is what it is first
+        }
+        if (kind == MessageKind::scan || kind == MessageKind::cloud) {
+            first_scan_ns_ = first_scan_ns_.value_or(message.log_time_ns);
         }
         if (kind == MessageKind::scan) {
             note_scan(message, topic);
@@ -46,11 +51,13 @@ public:
         }
     }
 
-    [[nodiscard]] bool complete() const {
-        const bool is_long = extent_ns_ > usual_extent_ns || cloud_bytes_ > most_cloud_bytes;
-        return is_long && (has_kind(MessageKind::scan) || has_kind(MessageKind::cloud)) && has(options_.scan_topic) &&
-               has(options_.cloud_topic) && has(options_.odom_topic) && has(options_.ground_truth_topic) &&
-               has(options_.imu_topic);
+    [[nodiscard]] bool complete(SurveyExtent extent) const {
+        const bool has_scans = has_kind(MessageKind::scan) || has_kind(MessageKind::cloud);
+        const bool is_long = extent == SurveyExtent::soon
+                                 ? has_lasted_soon()
+                                 : extent_ns_ > usual_extent_ns || cloud_bytes_ > most_cloud_bytes;
+        return is_long && has_scans && has(options_.scan_topic) && has(options_.cloud_topic) &&
+               has(options_.odom_topic) && has(options_.ground_truth_topic) && has(options_.imu_topic);
     }
 
     LogSurvey result() {
@@ -64,6 +71,13 @@ public:
     }
 
 private:
+    /// Whether scans have come for as long as SurveyExtent::soon asks for.
+    [[nodiscard]] bool has_lasted_soon() const {
+        const double scans_ns = first_scan_ns_ ? static_cast<double>(latest_ns_ - *first_scan_ns_) : 0.0;
+        const bool has_motion =
+            has_kind(MessageKind::odometry) || has_kind(MessageKind::velocity) || has_kind(MessageKind::transforms);
+        return scans_ns > (has_motion ? soon_extent_ns : usual_extent_ns);
+    }
     /// Whether the topics that an option names are all there.
     [[nodiscard]] bool has(const std::string& option) const {
         return std::ranges::all_of(topics_named(option),
@@ -158,6 +172,8 @@ private:
 
     const LogOptions& options_;
     std::optional<std::int64_t> first_ns_;
+    std::optional<std::int64_t> first_scan_ns_;
+    std::int64_t latest_ns_ = 0;
     double extent_ns_ = 0.0;
     std::map<std::string, TopicSurvey> topics_;
     std::map<std::string, PoseReader> readers_;  ///< by topic
@@ -171,7 +187,7 @@ private:
 LogSurvey survey_log(MessageSource& source, SurveyExtent extent, const LogOptions& options) {
     Surveyor surveyor(options);
     bool ended = false;
-    while (!ended && (extent == SurveyExtent::whole || !surveyor.complete())) {
+    while (!ended && (extent == SurveyExtent::whole || !surveyor.complete(extent))) {
         if (const std::optional<McapMessage> message = source.next()) {
             surveyor.take(*message);
         } else {

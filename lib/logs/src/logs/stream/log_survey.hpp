@@ -65,6 +65,9 @@ enum class SurveyExtent {
     /// The first ten seconds, for a log that can be read only once. If there is no scan yet, or if a topic that the
     /// options name is missing, further, to the end if necessary.
     beginning,
+    /// For a robot that waits to be mapped: until there have been scans for three seconds, and odometry or transforms
+    /// with them; without these, scans for ten seconds. Also further for topics that the options name.
+    soon,
 };
 
 /// Point clouds are looked at only in a log without laser scans before them, or if the options name a topic of them; of

@@ -32,8 +32,12 @@ MessageLogStream::MessageLogStream(const OpenSource& open, Opening opening, std:
         rehearse(open);
     } else {
         is_read_once_ = true;
-        survey_once(open, options);
+        survey_once(open, options, opening == Opening::live ? SurveyExtent::soon : SurveyExtent::beginning);
         sweep_timers_ = timers_of(plan_);
+    }
+    if (opening == Opening::live) {
+        is_live_ = true;
+        watch_ = FrameWatch(0);
     }
     take_off_lag();
     gaps_ = OdometryGaps(plan_.odom_interval_s);
@@ -46,6 +50,8 @@ MessageLogStream::MessageLogStream(const OpenSource& open, Opening opening, std:
         }
     }
     summary_.odom_topic = plan_.odom_topic;
+    summary_.odom_frame = plan_.odom_frame;
+    summary_.robot_frame = plan_.robot_frame;
     summary_.has_odometry = !plan_.odom_topic.empty();
     summary_.odom_delay_removed_s = -1e-9 * static_cast<double>(plan_.odom_clock_offset_ns);
     summary_.ground_truth_topic = plan_.ground_truth_topic;
@@ -127,10 +133,10 @@ void MessageLogStream::rehearse(const OpenSource& open) {
     }
 }
 
-void MessageLogStream::survey_once(const OpenSource& open, const LogOptions& options) {
+void MessageLogStream::survey_once(const OpenSource& open, const LogOptions& options, SurveyExtent extent) {
     auto source = std::make_unique<KeptMessages>(open([this](const LogProblem& problem) { report(problem); }),
                                                  options.cloud_topic.empty());
-    plan_ = plan_log(survey_log(*source, SurveyExtent::beginning, options), options, file_);
+    plan_ = plan_log(survey_log(*source, extent, options), options, file_);
     source->rewind();
     source_ = std::move(source);
 }
@@ -179,6 +185,7 @@ void MessageLogStream::end() {
 }
 
 void MessageLogStream::take(const McapMessage& message) {
+    now_ns_ = message.log_time_ns;
     const std::string& topic = message.channel->topic;
     if (is_information(*message.channel)) {
         take_information(message);
@@ -259,6 +266,7 @@ void MessageLogStream::take_cloud(const McapMessage& message, std::size_t lidar)
 void MessageLogStream::wait(SensorFrame frame) {
     WaitingScan scan;
     scan.frame = std::move(frame);
+    scan.since_ns = now_ns_;
     const std::int64_t stamp_ns = scan.frame.scan.stamp_ns;
     scan.measured_ns =
         stamp_sum(stamp_ns, std::llround(1e9 * sweep_timers_[scan.frame.lidar].longest_s(scan.frame.scan)));
@@ -428,13 +436,23 @@ bool MessageLogStream::is_of_used_path(const PoseReading& reading, const McapMes
 }
 
 bool MessageLogStream::is_odometry(const PoseReading& reading) const {
-    return plan_.odom_frame.empty() ||
+    return !plan_.odom_is_transform ||
            (reading.frame_id == plan_.odom_frame && reading.child_frame_id == plan_.robot_frame);
 }
 
 bool MessageLogStream::first_is_ready() const {
+    if (is_live_ && !waiting_.empty() &&
+        (now_ns_ - waiting_.front().since_ns > longest_live_wait_ns || is_near_odometry(waiting_.front()))) {
+        return true;
+    }
     return waiting_.size() > max_waiting || (!waiting_.empty() && waiting_.front().has_odometry &&
                                              waiting_.front().has_ground_truth && waiting_.front().has_information);
+}
+
+/// Whether the odometry nearly reaches the scan.
+bool MessageLogStream::is_near_odometry(const WaitingScan& scan) const {
+    return last_odometry_ns_ && scan.measured_ns - *last_odometry_ns_ < longest_guess_ns &&
+           odometry_.extended_at(scan.measured_ns).has_value();
 }
 
 SensorFrame MessageLogStream::release_first() {
@@ -473,7 +491,7 @@ void MessageLogStream::take_odometry_at(SensorFrame& frame) {
     }
     const std::int64_t stamp_ns = frame.scan.stamp_ns;
     double apart_s = 0.0;
-    if (const std::optional<Pose2> pose = odometry_.at(stamp_ns)) {
+    if (const std::optional<Pose2> pose = is_live_ ? odometry_.extended_at(stamp_ns) : odometry_.at(stamp_ns)) {
         frame.odom_from_robot = *pose;
     } else {
         const std::optional<StampedPose> nearest = odometry_.nearest(stamp_ns);

@@ -41,7 +41,17 @@ public:
 
     using OpenSource = std::function<std::unique_ptr<MessageSource>(LogProblemHandler)>;
 
-    enum class Opening { twice, once };
+    enum class Opening {
+        twice,
+        once,
+        /// Once, and the messages are those of a robot that is driving now: the survey takes less time, a scan does not
+        /// wait for the next pose of the odometry if that comes soon, but takes the latest motion to go on, nor longer
+        /// than longest_live_wait_ns of recording for any, and no frame waits for what comes after it.
+        live,
+    };
+    /// In so short a time a robot that brakes as hard as it can is a millimetre or two from where it would have been.
+    static constexpr std::int64_t longest_guess_ns = 50'000'000;
+    static constexpr std::int64_t longest_live_wait_ns = 500'000'000;
 
     /// Surveys the log immediately.
     /// \param open opens the log; it is called two or three times, or once with Opening::once
@@ -58,6 +68,7 @@ private:
     struct WaitingScan {
         SensorFrame frame;
         std::int64_t measured_ns = 0;                ///< when its last beam was
+        std::int64_t since_ns = 0;                   ///< when it was recorded
         std::optional<Eigen::Matrix3d> information;  ///< from the simulator, if it has arrived
         bool has_odometry = false;
         bool has_ground_truth = false;
@@ -87,7 +98,7 @@ private:
     void take_off_lag();
     /// Set plan_ and source_; source_ then begins again with the first message.
     void survey(const OpenSource& open, const LogOptions& options);
-    void survey_once(const OpenSource& open, const LogOptions& options);
+    void survey_once(const OpenSource& open, const LogOptions& options, SurveyExtent extent);
     void take(const McapMessage& message);
     void take_scan(const McapMessage& message, std::size_t lidar);
     void take_cloud(const McapMessage& message, std::size_t lidar);
@@ -112,6 +123,7 @@ private:
     [[nodiscard]] bool is_of_used_path(const PoseReading& reading, const McapMessage& message);
     [[nodiscard]] bool is_odometry(const PoseReading& reading) const;
     [[nodiscard]] bool first_is_ready() const;
+    [[nodiscard]] bool is_near_odometry(const WaitingScan& scan) const;
     std::optional<SensorFrame> read_frame();
     SensorFrame release_first();
     void time_beams(SensorFrame& frame);
@@ -124,6 +136,8 @@ private:
     LogPlan plan_;
     std::unique_ptr<MessageSource> source_;
     std::deque<WaitingScan> waiting_;
+    std::int64_t now_ns_ = 0;  ///< when the latest message was recorded
+    bool is_live_ = false;
     PoseReader odometry_reader_;
     InterleavedPaths paths_;
     std::vector<SweepTimer> sweep_timers_;  ///< of each lidar
