@@ -86,6 +86,32 @@ TEST(ScanMatcher, LeavesTheWayAlongACorridorToThePrior) {
     EXPECT_NEAR(std::abs(solver.eigenvectors()(0, 0)), 1.0, 0.01);
 }
 
+/// The end of the map is seen along a wall by one scan after the other, so that the nearest occupied point lies behind
+/// the end point. Where the scan takes its surfaces in a wrong direction, as beside an edge, that must not pull the
+/// robot along.
+TEST(ScanMatcher, MeasuresAcrossTheLinesOfTheMap) {
+    const sim::World corridor = room(80.0, 2.0);
+    const Pose2 mapped_from{0.3, 0.1, 0.0};
+    const Pose2 pose{0.8, -0.1, 0.0};
+    OccupancyGrid grid = grid_with(exact_points(corridor, mapped_from, 720, 6.0), mapped_from);
+    for (int scan = 0; scan < 3; ++scan) {
+        ScanInserter().insert(grid, exact_points(corridor, mapped_from, 720, 6.0), mapped_from);
+    }
+    MatchPoints points(exact_points(corridor, pose, 720, 6.0), cell_m);
+    constexpr float tilt_rad = 0.4F;
+    for (std::size_t i = 0; i < points.beams; ++i) {
+        const float nx = points.normal_x[i];
+        const float ny = points.normal_y[i];
+        points.normal_x[i] = std::cos(tilt_rad) * nx - std::sin(tilt_rad) * ny;
+        points.normal_y[i] = std::sin(tilt_rad) * nx + std::cos(tilt_rad) * ny;
+    }
+    const ScanMatch match = matcher().match(grid, points, pose, {0.1, 0.1, 0.1});
+    EXPECT_NEAR(match.pose.x_m, pose.x_m, 0.005);
+    EXPECT_NEAR(match.pose.y_m, pose.y_m, 0.005);
+    const Eigen::Matrix2d position = match.information.topLeftCorner<2, 2>();
+    EXPECT_LT(position(0, 0), 0.02 * position(1, 1));
+}
+
 TEST(ScanMatcher, InformationOfARoomConstrainsEverything) {
     const View view;
     const ScanMatch match = matcher().match(view.grid, view.match_points, view.pose, loose);

@@ -5,25 +5,21 @@
 namespace ddtool {
 namespace {
 
-/// For eight beams: the surface normals in the world frame, the distances across and along the surface, and q =
+/// For eight beams: the surface normals, the distances across and along the surface, and q =
 /// across^2 + along_weight * along^2. Lengths are in cells.
 struct Distance {
     Lanes nx, ny, across, along, q;
 };
 
-inline __attribute__((always_inline)) void measure(const BeamArrays& b, std::size_t i, float c, float s, Distance& d) {
-    Lanes nx;
-    Lanes ny;
+inline __attribute__((always_inline)) void measure(const BeamArrays& b, std::size_t i, Distance& d) {
     Lanes ex;
     Lanes ey;
     Lanes along_weight;
-    load(nx, b.normal_x + i);
-    load(ny, b.normal_y + i);
+    load(d.nx, b.normal_x + i);
+    load(d.ny, b.normal_y + i);
     load(ex, b.residual_x + i);
     load(ey, b.residual_y + i);
     load(along_weight, b.along_weight + i);
-    d.nx = c * nx - s * ny;
-    d.ny = s * nx + c * ny;
     d.across = d.nx * ex + d.ny * ey;
     d.along = d.nx * ey - d.ny * ex;
     d.q = d.across * d.across + along_weight * d.along * d.along;
@@ -50,7 +46,7 @@ DDTOOL_VECTORISED void add_normal_equations(const BeamArrays& b, std::size_t bea
         Lanes y;
         Lanes near_by;
         Lanes along_weight;
-        measure(b, i, c, s, d);
+        measure(b, i, d);
         closeness(b, i, d.q, inverse_reach2, near_by);
         load(x, b.x + i);
         load(y, b.y + i);
@@ -77,28 +73,28 @@ DDTOOL_VECTORISED void add_normal_equations(const BeamArrays& b, std::size_t bea
     }
 }
 
-DDTOOL_VECTORISED double sum_of_scores(const BeamArrays& b, std::size_t beams, std::size_t stride, float c, float s,
+DDTOOL_VECTORISED double sum_of_scores(const BeamArrays& b, std::size_t beams, std::size_t stride,
                                        float inverse_reach2) {
     Lanes total{};
     for (std::size_t i = 0; i < beams; i += stride * lane_count) {
         Distance d;
         Lanes near_by;
-        measure(b, i, c, s, d);
+        measure(b, i, d);
         closeness(b, i, d.q, inverse_reach2, near_by);
         total += near_by * near_by * near_by;
     }
     return sum_of(total);
 }
 
-DDTOOL_VECTORISED void add_log_likelihoods(const BeamArrays& b, std::size_t beams, float c, float s,
-                                           float inverse_two_sigma2, float miss, LogLikelihood& result) {
+DDTOOL_VECTORISED void add_log_likelihoods(const BeamArrays& b, std::size_t beams, float inverse_two_sigma2, float miss,
+                                           LogLikelihood& result) {
     Lanes total{};
     Lanes known_beams{};
     for (std::size_t i = 0; i < beams; i += lane_count) {
         Distance d;
         Lanes found;
         Lanes known;
-        measure(b, i, c, s, d);
+        measure(b, i, d);
         load(found, b.found + i);
         load(known, b.known + i);
         const Lanes most = Lanes{} + miss;

@@ -5,16 +5,16 @@
 
 namespace ddtool {
 
-/// The beams of one match, padded to whole vector lanes. Lengths are in cells; the arrays are those of MatchPoints
-/// (robot frame) and Residuals (world frame).
+/// The beams of one match, padded to whole vector lanes. Lengths are in cells; x and y are those of MatchPoints (robot
+/// frame), the others those of Residuals (world frame).
 struct BeamArrays {
     const float* x;
     const float* y;
+    const float* residual_x;
+    const float* residual_y;
     const float* normal_x;
     const float* normal_y;
     const float* along_weight;
-    const float* residual_x;
-    const float* residual_y;
     const float* found;
     const float* known;
 };
@@ -31,8 +31,7 @@ using Sums = std::array<double, sum_count>;
 void add_normal_equations(const BeamArrays& b, std::size_t beams, float c, float s, float inverse_reach2, Sums& sums);
 
 /// Sum of the scores of every stride-th block of beams, a block being one set of vector lanes.
-double sum_of_scores(const BeamArrays& b, std::size_t beams, std::size_t stride, float c, float s,
-                     float inverse_reach2);
+double sum_of_scores(const BeamArrays& b, std::size_t beams, std::size_t stride, float inverse_reach2);
 
 struct LogLikelihood {
     double sum = 0.0;
@@ -41,7 +40,7 @@ struct LogLikelihood {
 
 /// Sets `result` to the sum of -min(q * inverse_two_sigma2, miss) over the beams that end in known ground, and to the
 /// number of these beams.
-void add_log_likelihoods(const BeamArrays& b, std::size_t beams, float c, float s, float inverse_two_sigma2, float miss,
+void add_log_likelihoods(const BeamArrays& b, std::size_t beams, float inverse_two_sigma2, float miss,
                          LogLikelihood& result);
 
 }  // namespace ddtool

@@ -20,12 +20,6 @@ NearestPoint moved(NearestPoint offset, Cell from, Cell to) {
 
 int squared_length(NearestPoint point) { return point.x * point.x + point.y * point.y; }
 
-/// Whether the point that is seen from `cell` lies in `target`. This is exact: offsets within a cell are whole numbers
-/// in -16..15, and the shift by 5 bits divides by units_per_cell and rounds down.
-bool lies_in(NearestPoint point, Cell cell, Cell target) {
-    return cell.x + ((point.x + units / 2) >> 5) == target.x && cell.y + ((point.y + units / 2) >> 5) == target.y;
-}
-
 NearestPoint running_mean(NearestPoint mean, NearestPoint added, float gain) {
     const auto updated = [gain](std::int8_t before, std::int8_t value) {
         return static_cast<std::int8_t>(
@@ -42,9 +36,6 @@ bool all_equal(const std::int8_t* cells, int length, int value) {
     return differences == 0;
 }
 
-/// The coordinate of the first cell in the next patch.
-int next_patch(int cell) { return (cell | Patch::local_mask) + 1; }
-
 /// Updates the field in a piece of one patch: a cell gets the mean point of the occupied cell as its nearest point if
 /// that is nearer than the present one, or if the present one is an older mean of the same cell.
 void spread_in(Patch& patch, const CellBox& piece, Cell occupied_cell, NearestPoint offset) {
@@ -56,7 +47,7 @@ void spread_in(Patch& patch, const CellBox& piece, Cell occupied_cell, NearestPo
             // The nearest point of an occupied cell is always its own mean, because add_hit() reads the mean from
             // there.
             const bool nearer = patch.log_odds[local] <= 0 && squared_length(candidate) < squared_length(present);
-            if (nearer || present.none() || lies_in(present, {x, y}, occupied_cell)) {
+            if (nearer || present.none() || cell_of(present, {x, y}) == occupied_cell) {
                 patch.nearest[local] = candidate;
             }
         }
@@ -131,6 +122,7 @@ void OccupancyGrid::reserve(const CellBox& box) {
         return;
     }
     OccupancyGrid larger(settings_);
+    larger.version_ = version_;
     const bool fresh = columns_ == 0;
     larger.first_column_ = fresh ? columns.first : std::min(columns.first, first_column_);
     larger.first_row_ = fresh ? rows.first : std::min(rows.first, first_row_);
@@ -159,6 +151,7 @@ PatchPointer& OccupancyGrid::pointer_at(Cell cell) {
 /// If the log odds have reached their upper limit, a hit does not change them. They are then not written, so that the
 /// patch can stay shared with other particles.
 void OccupancyGrid::add_hit(Cell cell, NearestPoint offset) {
+    change();
     PatchPointer& patch = pointer_at(cell);
     const std::size_t local = Patch::local(cell.x, cell.y);
     const std::int8_t present = patch->log_odds[local];
@@ -183,6 +176,7 @@ void OccupancyGrid::add_hit(Cell cell, NearestPoint offset) {
 }
 
 void OccupancyGrid::set(Cell cell, std::int8_t log_odds, NearestPoint mean) {
+    change();
     const bool was_occupied = occupied(cell);
     if (log_odds == this->log_odds(cell) && log_odds <= 0) {
         return;
@@ -199,9 +193,9 @@ void OccupancyGrid::set(Cell cell, std::int8_t log_odds, NearestPoint mean) {
 void OccupancyGrid::spread(Cell occupied_cell, NearestPoint offset) {
     const int x_end = occupied_cell.x + field_radius + 1;
     const int y_end = occupied_cell.y + field_radius + 1;
-    for (int y = occupied_cell.y - field_radius; y < y_end; y = next_patch(y)) {
-        for (int x = occupied_cell.x - field_radius; x < x_end; x = next_patch(x)) {
-            const CellBox piece{x, y, std::min(x_end, next_patch(x)), std::min(y_end, next_patch(y))};
+    for (int y = occupied_cell.y - field_radius; y < y_end; y = Patch::next(y)) {
+        for (int x = occupied_cell.x - field_radius; x < x_end; x = Patch::next(x)) {
+            const CellBox piece{x, y, std::min(x_end, Patch::next(x)), std::min(y_end, Patch::next(y))};
             spread_in(pointer_at({x, y}).writable(), piece, occupied_cell, offset);
         }
     }
@@ -209,8 +203,9 @@ void OccupancyGrid::spread(Cell occupied_cell, NearestPoint offset) {
 }
 
 void OccupancyGrid::add_free(int y, int x_begin, int x_end) {
+    change();
     for (int x = x_begin; x < x_end;) {
-        const int piece_end = std::min(x_end, next_patch(x));
+        const int piece_end = std::min(x_end, Patch::next(x));
         const int length = piece_end - x;
         PatchPointer& patch = pointer_at({x, y});
         const std::size_t local = Patch::local(x, y);
@@ -239,7 +234,7 @@ bool OccupancyGrid::lower(std::int8_t* cells, int length) const {
 /// Removes the points of those cells of a row from the field that are no longer occupied.
 void OccupancyGrid::forget_freed(int y, int x_begin, int x_end) {
     for (int x = x_begin; x < x_end; ++x) {
-        if (!occupied({x, y}) && lies_in(nearest({x, y}), {x, y}, {x, y})) {
+        if (!occupied({x, y}) && cell_of(nearest({x, y}), {x, y}) == Cell{x, y}) {
             forget({x, y});
         }
     }
@@ -247,7 +242,7 @@ void OccupancyGrid::forget_freed(int y, int x_begin, int x_end) {
 
 void OccupancyGrid::forget(Cell freed_cell) {
     for_each_around(freed_cell, [&](Cell cell) {
-        if (!nearest(cell).none() && lies_in(nearest(cell), cell, freed_cell)) {
+        if (!nearest(cell).none() && cell_of(nearest(cell), cell) == freed_cell) {
             const NearestPoint next = search_nearest(cell);
             pointer_at(cell).writable().nearest[Patch::local(cell.x, cell.y)] = next;
         }

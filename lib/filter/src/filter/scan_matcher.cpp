@@ -47,9 +47,9 @@ int floor_of(float value) {
     return static_cast<int>(value + static_cast<float>(offset)) - offset;
 }
 
-/// Computes the end points of one block of beams, in cells relative to the corner of the cell (x0, y0) of a CellPose.
-DDTOOL_VECTORISED void project_block(const float* x, const float* y, float c, float s, float tx, float ty, float* out_x,
-                                     float* out_y) {
+/// Turns one block of vectors by the angle with the cosine c and the sine s, and moves them by (tx, ty).
+DDTOOL_VECTORISED void move_block(const float* x, const float* y, float c, float s, float tx, float ty, float* out_x,
+                                  float* out_y) {
     Lanes px;
     Lanes py;
     load(px, x);
@@ -61,11 +61,11 @@ DDTOOL_VECTORISED void project_block(const float* x, const float* y, float c, fl
 BeamArrays arrays_of(const MatchPoints& points, const Residuals& residuals) {
     return {points.x.data(),
             points.y.data(),
-            points.normal_x.data(),
-            points.normal_y.data(),
-            points.along_weight.data(),
             residuals.x.data(),
             residuals.y.data(),
+            residuals.normal_x.data(),
+            residuals.normal_y.data(),
+            residuals.along_weight.data(),
             residuals.found.data(),
             residuals.known.data()};
 }
@@ -85,6 +85,13 @@ Eigen::Matrix3d information_of(const PosePrior& prior, double theta_rad) {
     return world_from_robot * sigma.cwiseAbs2().cwiseInverse().asDiagonal() * world_from_robot.transpose();
 }
 
+void Residuals::resize(std::size_t beams) {
+    for (std::vector<float>* values : {&x, &y, &normal_x, &normal_y, &along_weight, &found, &known}) {
+        values->resize(beams);
+    }
+    occupied.resize(beams);
+}
+
 MatchPoints::MatchPoints(const ScanPoints& points, double cell_size_m)
     : x(padded(points.x_m, 1.0 / cell_size_m)),
       y(padded(points.y_m, 1.0 / cell_size_m)),
@@ -97,21 +104,23 @@ MatchPoints::MatchPoints(const ScanPoints& points, double cell_size_m)
 ScanMatcher::ScanMatcher(const ScanMatcherSettings& settings, double cell_size_m)
     : settings_(settings),
       cell_size_m_(cell_size_m),
-      inverse_reach2_(static_cast<float>(squared(cell_size_m / settings.reach_m))) {}
+      inverse_reach2_(static_cast<float>(squared(cell_size_m / settings.reach_m))),
+      lines_(cell_size_m) {}
 
-void ScanMatcher::find_residuals(const OccupancyGrid& grid, const MatchPoints& points, const Pose2& pose,
-                                 std::size_t stride) {
+void ScanMatcher::find_nearest(const OccupancyGrid& grid, const MatchPoints& points, const Pose2& pose,
+                               std::size_t stride) {
     const Rotation rotation(pose.theta_rad);
     const CellPose origin(pose, cell_size_m_);
-    residuals_.x.resize(points.x.size());
-    residuals_.y.resize(points.x.size());
-    residuals_.found.resize(points.x.size());
-    residuals_.known.resize(points.x.size());
+    residuals_.resize(points.x.size());
+    residuals_.along_weight = points.along_weight;
     for (std::size_t block = 0; block < points.x.size(); block += stride * lane_count) {
         float* ex = residuals_.x.data() + block;
         float* ey = residuals_.y.data() + block;
-        project_block(points.x.data() + block, points.y.data() + block, rotation.c, rotation.s, origin.x, origin.y, ex,
-                      ey);
+        // The end points, in cells relative to the corner of the cell (x0, y0), become residuals below.
+        move_block(points.x.data() + block, points.y.data() + block, rotation.c, rotation.s, origin.x, origin.y, ex,
+                   ey);
+        move_block(points.normal_x.data() + block, points.normal_y.data() + block, rotation.c, rotation.s, 0.0F, 0.0F,
+                   residuals_.normal_x.data() + block, residuals_.normal_y.data() + block);
         for (std::size_t lane = 0; lane < lane_count; ++lane) {
             const int cell_x = floor_of(ex[lane]);
             const int cell_y = floor_of(ey[lane]);
@@ -121,8 +130,26 @@ void ScanMatcher::find_residuals(const OccupancyGrid& grid, const MatchPoints& p
             ex[lane] -= static_cast<float>(cell_x) + 0.5F + unit * (static_cast<float>(nearest.x) + 0.5F);
             ey[lane] -= static_cast<float>(cell_y) + 0.5F + unit * (static_cast<float>(nearest.y) + 0.5F);
             const bool known = !nearest.none() || grid.log_odds(cell) != Patch::unknown;
+            residuals_.occupied[block + lane] = cell_of(nearest, cell);
             residuals_.found[block + lane] = nearest.none() ? 0.0F : points.counts[block + lane];
             residuals_.known[block + lane] = known ? points.counts[block + lane] : 0.0F;
+        }
+    }
+}
+
+void ScanMatcher::find_residuals(const OccupancyGrid& grid, const MatchPoints& points, const Pose2& pose) {
+    find_nearest(grid, points, pose, 1);
+    for (std::size_t beam = 0; beam < points.beams; ++beam) {
+        if (residuals_.found[beam] == 0.0F) {
+            continue;
+        }
+        const MapLine line = lines_.through(grid, residuals_.occupied[beam]);
+        if (line.exists()) {
+            residuals_.x[beam] -= line.x;
+            residuals_.y[beam] -= line.y;
+            residuals_.normal_x[beam] = line.normal_x;
+            residuals_.normal_y[beam] = line.normal_y;
+            residuals_.along_weight[beam] = 0.0F;
         }
     }
 }
@@ -145,13 +172,12 @@ ScanMatcher::Normal ScanMatcher::normal_equations(const MatchPoints& points, con
     return normal;
 }
 
-double ScanMatcher::log_likelihood(const MatchPoints& points, double theta_rad) const {
-    const Rotation rotation(theta_rad);
+double ScanMatcher::log_likelihood(const MatchPoints& points) const {
     const double inverse = 0.5 * squared(cell_size_m_ / settings_.beam_sigma_m);
     const double miss = 0.5 * squared(settings_.reach_m / settings_.beam_sigma_m);
     LogLikelihood result;
-    add_log_likelihoods(arrays_of(points, residuals_), points.x.size(), rotation.c, rotation.s,
-                        static_cast<float>(inverse), static_cast<float>(miss), result);
+    add_log_likelihoods(arrays_of(points, residuals_), points.x.size(), static_cast<float>(inverse),
+                        static_cast<float>(miss), result);
     // If all beams end in ground that was never observed, the scan says nothing about the pose, and each beam counts as
     // a miss.
     const double mean = result.known_beams > 0.0 ? result.sum / result.known_beams : -miss;
@@ -159,9 +185,9 @@ double ScanMatcher::log_likelihood(const MatchPoints& points, double theta_rad) 
 }
 
 ScanMatch ScanMatcher::evaluate(const OccupancyGrid& grid, const MatchPoints& points, const Pose2& pose) {
-    find_residuals(grid, points, pose, 1);
+    find_residuals(grid, points, pose);
     ScanMatch match = normal_equations(points, pose).match;
-    match.log_likelihood = log_likelihood(points, pose.theta_rad);
+    match.log_likelihood = log_likelihood(points);
     return match;
 }
 
@@ -171,19 +197,23 @@ ScanMatch ScanMatcher::evaluate(const OccupancyGrid& grid, const MatchPoints& po
 ScanMatch ScanMatcher::refine(const OccupancyGrid& grid, const MatchPoints& points, const Pose2& start,
                               const Pose2& predicted, const Eigen::Matrix3d& prior_information) {
     Pose2 pose = start;
+    // The first step starts from the prediction, where many beams have another nearest point than in the end, so that
+    // lines would be fitted in vain.
+    bool with_lines = false;
     for (int iteration = 0; iteration < settings_.max_iterations; ++iteration) {
-        find_residuals(grid, points, pose, 1);
+        with_lines ? find_residuals(grid, points, pose) : find_nearest(grid, points, pose, 1);
         Normal normal = normal_equations(points, pose);
         const Eigen::Vector3d from_prediction(pose.x_m - predicted.x_m, pose.y_m - predicted.y_m,
                                               wrap_angle(pose.theta_rad - predicted.theta_rad));
         const Eigen::Matrix3d system = normal.match.information + prior_information;
         const Eigen::Vector3d step = -system.ldlt().solve(normal.gradient + prior_information * from_prediction);
         pose = {pose.x_m + step.x(), pose.y_m + step.y(), wrap_angle(pose.theta_rad + step.z())};
-        if (step.head<2>().norm() < settled_m && std::abs(step.z()) < settled_rad) {
-            normal.match.log_likelihood = log_likelihood(points, normal.match.pose.theta_rad);
+        if (with_lines && step.head<2>().norm() < settled_m && std::abs(step.z()) < settled_rad) {
+            normal.match.log_likelihood = log_likelihood(points);
             normal.match.pose = pose;
             return normal.match;
         }
+        with_lines = true;
     }
     return evaluate(grid, points, pose);
 }
@@ -232,10 +262,8 @@ ScanMatch ScanMatcher::match(const OccupancyGrid& grid, const MatchPoints& point
 }
 
 double ScanMatcher::score(const OccupancyGrid& grid, const MatchPoints& points, const Pose2& pose, std::size_t stride) {
-    find_residuals(grid, points, pose, stride);
-    const Rotation rotation(pose.theta_rad);
-    const double sum =
-        sum_of_scores(arrays_of(points, residuals_), points.x.size(), stride, rotation.c, rotation.s, inverse_reach2_);
+    find_nearest(grid, points, pose, stride);
+    const double sum = sum_of_scores(arrays_of(points, residuals_), points.x.size(), stride, inverse_reach2_);
     return sum / static_cast<double>(std::max<std::size_t>(points.beams, 1));
 }
 

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <algorithm>
+#include <atomic>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 
@@ -16,6 +19,13 @@ struct Cell {
 
     bool operator==(const Cell&) const = default;
 };
+
+/// The cell in which a point lies that is seen from the centre of `cell`. This is exact: offsets within a cell are
+/// whole numbers in -16..15, and the shift by 5 bits divides by NearestPoint::units_per_cell and rounds down.
+inline Cell cell_of(NearestPoint point, Cell cell) {
+    constexpr int half = NearestPoint::units_per_cell / 2;
+    return {cell.x + ((point.x + half) >> 5), cell.y + ((point.y + half) >> 5)};
+}
 
 /// Largest distance of a cell from the world's origin along either axis, in cells. Cells beyond it have no number, and
 /// no map reaches that far.
@@ -70,6 +80,26 @@ public:
     /// The nearest occupied point as seen from the cell's centre; none() where there is no such point in the field.
     [[nodiscard]] NearestPoint nearest(Cell cell) const { return patch_at(cell).nearest[Patch::local(cell.x, cell.y)]; }
 
+    /// Calls visit(cell, log odds, mean point as seen from the cell's centre) for the occupied cells of a box, row by
+    /// row within each patch.
+    template <typename Visit>
+    void visit_occupied(const CellBox& box, Visit&& visit) const {
+        for (int top = box.y_min; top < box.y_max; top = Patch::next(top)) {
+            for (int left = box.x_min; left < box.x_max; left = Patch::next(left)) {
+                const Patch& patch = patch_at({left, top});
+                const int x_end = std::min(box.x_max, Patch::next(left));
+                const int y_end = std::min(box.y_max, Patch::next(top));
+                for (int y = top; y < y_end; ++y) {
+                    for (std::uint32_t row = patch.occupied_in_row(left, x_end, y); row != 0; row &= row - 1) {
+                        const int x = (left & ~Patch::local_mask) + std::countr_zero(row);
+                        const std::size_t local = Patch::local(x, y);
+                        visit(Cell{x, y}, patch.log_odds[local], patch.nearest[local]);
+                    }
+                }
+            }
+        }
+    }
+
     /// Makes room for writing to the box. It must be called before the two functions below, for a box that holds the
     /// cells they write. Throws MapTooLarge if the memory that the settings allow might not suffice, or if the map
     /// would have more than most_patches, which is some square kilometres: no robot drives that far, but an odometry
@@ -83,6 +113,9 @@ public:
     /// Makes a cell what it is in another map: with this evidence, and if it is occupied, with the mean of its hits at
     /// `mean` from its centre, each coordinate in -16..15. reserve() must have been called for it.
     void set(Cell cell, std::int8_t log_odds, NearestPoint mean);
+    /// A number that all grids of the process with this content share, and no other: copies have it until one of them
+    /// is written to. It says whether something that was computed from a grid still holds.
+    [[nodiscard]] std::uint64_t version() const { return version_; }
 
     /// The smallest box of whole patches that holds everything observed.
     [[nodiscard]] CellBox observed_box() const;
@@ -107,7 +140,13 @@ private:
     void forget(Cell freed_cell);
     [[nodiscard]] NearestPoint search_nearest(Cell cell) const;
 
+    /// Any thread may take the next version.
+    void change() { version_ = 1 + last_version_.fetch_add(1, std::memory_order_relaxed); }
+
+    inline static std::atomic<std::uint64_t> last_version_ = 0;
+
     OccupancySettings settings_;
+    std::uint64_t version_ = 0;
     PatchPointer unknown_;
     int first_column_ = 0, first_row_ = 0, columns_ = 0, rows_ = 0;
     PatchTable patches_;

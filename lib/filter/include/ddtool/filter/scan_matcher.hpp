@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "ddtool/filter/map_line.hpp"
 #include "ddtool/filter/occupancy_grid.hpp"
 #include "ddtool/robot/pose2.hpp"
 #include "ddtool/robot/scan_points.hpp"
@@ -23,11 +24,16 @@ struct MatchPoints {
     MatchPoints(const ScanPoints& points, double cell_size_m);
 };
 
-/// Vectors from the nearest occupied point to each end point, in cells in the world frame.
+/// Where each end point lies relative to the mapped surface, in cells in the world frame.
 struct Residuals {
-    std::vector<float> x, y;
-    std::vector<float> found;  ///< 1 where an occupied point is near, otherwise 0
+    std::vector<float> x, y;                ///< vector from a point of the surface to the end point
+    std::vector<float> normal_x, normal_y;  ///< unit normal of the surface
+    std::vector<float> along_weight;        ///< weight of the squared distance along the surface
+    std::vector<Cell> occupied;             ///< the cell of the nearest occupied point, if there is one
+    std::vector<float> found;               ///< 1 where an occupied point is near, otherwise 0
     std::vector<float> known;  ///< 1 where one is near or the end point lies in observed ground, otherwise 0
+
+    void resize(std::size_t beams);
 };
 
 /// Searches score only every third block of beams; their result is then evaluated with all beams.
@@ -74,9 +80,10 @@ struct ScanMatch {
     [[nodiscard]] bool accepted() const { return score >= least_score; }
 };
 
-/// Finds the pose at which a scan fits a grid. It uses Gauss-Newton on the distances from the end points to the nearest
-/// occupied points, measured across the surface that the scan sees. Where the result is doubtful, a wide search
-/// provides a second start.
+/// Finds the pose at which a scan fits a grid. It uses Gauss-Newton on the distances from the end points to the mapped
+/// surfaces. These are measured across the line through the mapped points around the nearest one (MapLine). Where they
+/// form no line, the nearest one alone counts, across the surface that the scan sees. Where the result is doubtful, a
+/// wide search, which has no use for lines, provides a second start.
 /// An object holds only buffers: each thread needs its own, which serves any number of grids of that cell size.
 class ScanMatcher {
 public:
@@ -97,10 +104,13 @@ private:
         Eigen::Vector3d gradient;
     };
 
-    void find_residuals(const OccupancyGrid& grid, const MatchPoints& points, const Pose2& pose, std::size_t stride);
+    /// Sets the residuals from the nearest occupied points, across the surfaces that the scan sees.
+    void find_nearest(const OccupancyGrid& grid, const MatchPoints& points, const Pose2& pose, std::size_t stride);
+    /// The same for all beams, but across the map's lines where there are any.
+    void find_residuals(const OccupancyGrid& grid, const MatchPoints& points, const Pose2& pose);
     /// Match and gradient from the latest residuals, which must be of all beams and at the same pose.
     [[nodiscard]] Normal normal_equations(const MatchPoints& points, const Pose2& pose) const;
-    [[nodiscard]] double log_likelihood(const MatchPoints& points, double theta_rad) const;
+    [[nodiscard]] double log_likelihood(const MatchPoints& points) const;
     ScanMatch refine(const OccupancyGrid& grid, const MatchPoints& points, const Pose2& start, const Pose2& predicted,
                      const Eigen::Matrix3d& prior_information);
     Pose2 search(const OccupancyGrid& grid, const MatchPoints& points, const Pose2& start);
@@ -108,6 +118,7 @@ private:
     ScanMatcherSettings settings_;
     double cell_size_m_;
     float inverse_reach2_;  ///< 1/cells^2
+    KeptMapLines lines_;
     Residuals residuals_;
 };
 
