@@ -12,9 +12,9 @@ namespace {
 
 std::size_t live_bytes() { return MapBytes::live.load(); }
 
-class Frames : public SensorStream {
+class GivenFrames : public SensorStream {
 public:
-    explicit Frames(const std::vector<SensorFrame>& frames) : frames_(frames.begin(), frames.end()) {}
+    explicit GivenFrames(const std::vector<SensorFrame>& frames) : frames_(frames.begin(), frames.end()) {}
     std::optional<SensorFrame> next() override {
         if (frames_.empty()) {
             return std::nullopt;
@@ -35,7 +35,7 @@ FilterRun run_with(std::uint64_t most_memory_mib, std::size_t particles) {
     settings.grid.most_memory_mib = most_memory_mib;
     ThreadPool threads(2);
     Rbpf filter(settings, threads);
-    Frames frames(room_drive());
+    GivenFrames frames(room_drive());
     return run_filter(frames, filter, [](const auto&...) { return true; });
 }
 
@@ -77,7 +77,7 @@ TEST(MapMemory, IsNeverTakenBeyondTheLimit) {
     settings.grid.most_memory_mib = limit_mib;
     ThreadPool threads(1);
     Rbpf filter(settings, threads);
-    Frames frames(room_drive());
+    GivenFrames frames(room_drive());
     (void)run_filter(frames, filter, [&](const auto&...) {
         most = std::max(most, live_bytes());
         return true;
@@ -112,7 +112,7 @@ TEST(MapMemory, AJumpToNowhereEndsTheRunWithWhatItHas) {
     }
     ThreadPool threads(1);
     Rbpf filter(few_particles(), threads);
-    Frames stream(frames);
+    GivenFrames stream(frames);
     const FilterRun run = run_filter(stream, filter, [](const auto&...) { return true; });
     EXPECT_THAT(run.ended_early, testing::HasSubstr("the poses jump"));
     EXPECT_EQ(run.trajectory.size(), good);

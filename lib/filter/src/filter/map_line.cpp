@@ -80,10 +80,12 @@ MapLine MapLineFit::through(const OccupancyGrid& grid, Cell occupied) const {
 }
 
 MapLine KeptMapLines::through(const OccupancyGrid& grid, Cell occupied) {
-    // Neighbouring cells of one grid get places side by side in rows of 64, and grids are spread by their versions. The
-    // factor is 2^64 over the golden ratio.
-    const std::uint64_t row = (grid.version() + (static_cast<std::uint64_t>(occupied.y) << 32U)) * 0x9e3779b97f4a7c15;
-    const std::uint64_t place = (row >> (64 - size_bits)) ^ static_cast<std::uint64_t>(occupied.x & 63);
+    // The 64 cells of a stretch of a row lie side by side, and the stretches of all grids are spread over the places.
+    // The first factor is 2^64 over the golden ratio, the others are large primes.
+    const std::uint64_t stretch = grid.version() + 1000003 * static_cast<std::uint64_t>(occupied.y) +
+                                  998244353 * static_cast<std::uint64_t>(occupied.x >> 6);
+    const std::uint64_t place =
+        ((stretch * 0x9e3779b97f4a7c15) >> (64 - size_bits)) ^ static_cast<std::uint64_t>(occupied.x & 63);
     Kept& kept = kept_[place & (kept_.size() - 1)];
     if (kept.version != grid.version() || !(kept.occupied == occupied)) {
         kept = {grid.version(), occupied, fit_.through(grid, occupied)};
