@@ -248,6 +248,7 @@ ExitCode slam(const SlamRequest& request, const Json& settings) {
                        {"ended_early", result.ended_early},
                        {"run", to_run_json(run)},
                        {"self_check", check::self_check_json(verdict, evidence)},
+                       {"robot", robot ? robot->report() : Json()},
                        {"back_end", results_of_back_end ? back_end_json(*results_of_back_end) : Json()},
                        {"cost", cost}};
     folder.write_json("run.json", results);

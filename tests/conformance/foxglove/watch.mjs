@@ -86,7 +86,8 @@ for await (const line of lines) {
 }
 assert(ended, "the run failed");
 
-// A client that connects now must get the latest message of every topic.
+// A client that connects now must get the latest message of every topic, and all of /degeneracy. After that the others
+// are sent once more, since a viewer whose time jumps back forgets what it had.
 const latest = new Map();
 const late = new Watcher(address, "foxglove.sdk.v1", (event) => {
   check(event);
@@ -102,9 +103,11 @@ assert.equal(early.serverInfo.name, "ddtool slam");
 assert.equal(early.serverInfo.sessionId, late.serverInfo.sessionId);
 assert.deepEqual([...latest.keys()].sort(), Object.keys(expectedTypes));
 for (const [topic, count] of Object.entries(late.counts)) {
-  assert.equal(count, 1, `${topic} after the end`);
+  assert(topic === "/degeneracy" ? count >= 1 : count === 1 || count === 2, `${topic} after the end: ${count}`);
 }
-assert.deepEqual(early.times, [...early.times].sort((a, b) => Number(a - b)), "time runs forwards");
+// The history of /degeneracy begins with the run, so that the time may go back once, where a client subscribes to it.
+const stepsBack = early.times.filter((time, place) => place > 0 && time < early.times[place - 1]).length;
+assert(stepsBack <= 1, `the time goes back ${stepsBack} times`);
 assert.equal(late.times.at(-1), latest.get("/map").timestamp);
 assert(latest.get("/map").message.data.includes(100), "no wall in the map");
 assert(early.counts["/pose"] > 10 && early.counts["/degeneracy"] > 10, JSON.stringify(early.counts));

@@ -102,7 +102,9 @@ TEST(KeptMapLines, FollowTheMap) {
     KeptMapLines lines(line_cell_m);
     const MapLine flat = lines.through(grid, containing(wall));
     EXPECT_EQ(flat.normal_x, lines.through(before, containing(wall)).normal_x);
-    grid.add_hit({1, 1}, {0, 0});
+    for (int i = 0; i < 3; ++i) {
+        grid.add_hit({1, 0}, {0, 12});
+    }
     const MapLine tilted = lines.through(grid, containing(wall));
     EXPECT_NE(flat.normal_x, tilted.normal_x);
     EXPECT_EQ(tilted.normal_x, MapLineFit(line_cell_m).through(grid, containing(wall)).normal_x);
