@@ -38,6 +38,15 @@ PosePrior prior_of(const Pose2& motion, const MotionNoise& noise) {
     return {sigmas.x_m + least_m, sigmas.y_m + least_m, sigmas.theta_rad + least_rad};
 }
 
+/// The normalised weights of the particles, which are proportional to exp(exponent * log_likelihood).
+std::vector<double> weights_by_likelihood(const std::vector<Particle>& particles, double exponent) {
+    std::vector<double> log_weights;
+    for (const Particle& particle : particles) {
+        log_weights.push_back(exponent * particle.log_likelihood);
+    }
+    return normalised_weights(log_weights);
+}
+
 }  // namespace
 
 Rbpf::Rbpf(const RbpfSettings& settings, ThreadPool& threads, FilterStrategies strategies)
@@ -58,21 +67,15 @@ Rbpf::Rbpf(const RbpfSettings& settings, ThreadPool& threads, FilterStrategies s
 void Rbpf::place(std::span<const Hypothesis> hypotheses, double kept_share) {
     const PathRecord::Node past = particles_.empty() ? PoseHistory::none : best().past;
     const double exponent = gain();
-    std::vector<double> log_weights;
-    for (const Particle& particle : particles_) {
-        log_weights.push_back(exponent * particle.log_likelihood);
-    }
+    std::vector<Particle> next;
     if (kept_share > 0.0) {
-        const std::vector<double> weights = normalised_weights(log_weights);
+        const std::vector<double> weights = weights_by_likelihood(particles_, exponent);
         for (std::size_t index = 0; index < particles_.size(); ++index) {
             particles_[index].log_likelihood = std::log(kept_share * weights[index]) / exponent;
         }
-    }
-    std::vector<Particle> next;
-    if (kept_share > 0.0) {
         next = std::move(particles_);
+        particles_.clear();
     }
-    const std::size_t kept = next.size();
     for (const Hypothesis& hypothesis : hypotheses) {
         next.push_back({.pose = hypothesis.pose,
                         .pose_before = hypothesis.pose,
@@ -88,7 +91,8 @@ void Rbpf::place(std::span<const Hypothesis> hypotheses, double kept_share) {
             path_.acquire(past);
         }
     }
-    if (kept == 0 && past != PoseHistory::none) {
+    // The particles that are dropped. A path ends only when the new ones have it.
+    if (past != PoseHistory::none) {
         for (const Particle& particle : particles_) {
             path_.release(particle.past);
         }
@@ -119,7 +123,7 @@ std::optional<Update> Rbpf::update(const SensorFrame& frame) {
         start(frame.odom_from_robot);
         update.matched = update.corrected = snapshot(frame, odometry_motion);
     } else {
-        const Step step = first ? step_to(frame, {}) : step_to(frame, odometry_motion);
+        const Step step = step_to(frame, odometry_motion);
         timed(times.match_s, [&] { propagate(step); });
         timed(times.match_s, [&] { match(scan, step); });
         reweight();
@@ -330,12 +334,7 @@ void Rbpf::remember(const SensorFrame& frame, const Pose2& odometry_motion) {
 }
 
 ParticleSnapshot Rbpf::snapshot(const SensorFrame& frame, const Pose2& odometry_motion) const {
-    const double exponent = gain();
-    std::vector<double> log_weights;
-    for (const Particle& particle : particles_) {
-        log_weights.push_back(exponent * particle.log_likelihood);
-    }
-    const std::vector<double> weights = normalised_weights(log_weights);
+    const std::vector<double> weights = weights_by_likelihood(particles_, gain());
     ParticleSnapshot swarm{
         .stamp_ns = frame.scan.stamp_ns, .update = updates_, .odometry_motion = odometry_motion, .particles = {}};
     for (std::size_t index = 0; index < particles_.size(); ++index) {

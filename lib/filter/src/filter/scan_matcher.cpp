@@ -112,7 +112,6 @@ void ScanMatcher::find_nearest(const OccupancyGrid& grid, const MatchPoints& poi
     const Rotation rotation(pose.theta_rad);
     const CellPose origin(pose, cell_size_m_);
     residuals_.resize(points.x.size());
-    residuals_.along_weight = points.along_weight;
     for (std::size_t block = 0; block < points.x.size(); block += stride * lane_count) {
         float* ex = residuals_.x.data() + block;
         float* ey = residuals_.y.data() + block;
@@ -121,6 +120,7 @@ void ScanMatcher::find_nearest(const OccupancyGrid& grid, const MatchPoints& poi
                    ey);
         move_block(points.normal_x.data() + block, points.normal_y.data() + block, rotation.c, rotation.s, 0.0F, 0.0F,
                    residuals_.normal_x.data() + block, residuals_.normal_y.data() + block);
+        std::copy_n(points.along_weight.data() + block, lane_count, residuals_.along_weight.data() + block);
         for (std::size_t lane = 0; lane < lane_count; ++lane) {
             const int cell_x = floor_of(ex[lane]);
             const int cell_y = floor_of(ey[lane]);
@@ -201,7 +201,11 @@ ScanMatch ScanMatcher::refine(const OccupancyGrid& grid, const MatchPoints& poin
     // lines would be fitted in vain.
     bool with_lines = false;
     for (int iteration = 0; iteration < settings_.max_iterations; ++iteration) {
-        with_lines ? find_residuals(grid, points, pose) : find_nearest(grid, points, pose, 1);
+        if (with_lines) {
+            find_residuals(grid, points, pose);
+        } else {
+            find_nearest(grid, points, pose, 1);
+        }
         Normal normal = normal_equations(points, pose);
         const Eigen::Vector3d from_prediction(pose.x_m - predicted.x_m, pose.y_m - predicted.y_m,
                                               wrap_angle(pose.theta_rad - predicted.theta_rad));

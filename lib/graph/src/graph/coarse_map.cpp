@@ -52,4 +52,20 @@ void CoarseMap::blur() {
     cells_ = std::move(blurred);
 }
 
+std::vector<Point2> every_point(const ScanPoints& points, std::size_t stride) {
+    std::vector<Point2> some;
+    for (std::size_t i = 0; i < points.size(); i += stride) {
+        some.push_back({double{points.x_m[i]}, double{points.y_m[i]}});
+    }
+    return some;
+}
+
+double mean_distance_m(const std::vector<Point2>& points) {
+    double sum = 0.0;
+    for (const Point2& point : points) {
+        sum += std::hypot(point.x_m, point.y_m);
+    }
+    return points.empty() ? 1.0 : sum / static_cast<double>(points.size());
+}
+
 }  // namespace ddtool::graph

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "ddtool/filter/occupancy_grid.hpp"
+#include "ddtool/robot/scan_points.hpp"
 
 namespace ddtool::graph {
 
@@ -45,5 +46,11 @@ private:
     int height_ = 0;
     std::vector<std::uint8_t> cells_;
 };
+
+/// The points of a scan that a search on a coarse map tries: every stride-th one, in the robot's frame.
+std::vector<Point2> every_point(const ScanPoints& points, std::size_t stride);
+
+/// How far the points are from the robot in the mean, which says how fine the turns of a search must be; 1 m for none.
+double mean_distance_m(const std::vector<Point2>& points);
 
 }  // namespace ddtool::graph

@@ -55,23 +55,6 @@ double coarse_score(const CoarseMap& map, const std::vector<Point2>& turned, dou
     return static_cast<double>(sum) / (static_cast<double>(known) * CoarseMap::on_wall);
 }
 
-std::vector<Point2> some_points(const ScanPoints& points) {
-    std::vector<Point2> some;
-    const std::size_t stride = std::max<std::size_t>(1, points.size() / coarse_points);
-    for (std::size_t i = 0; i < points.size(); i += stride) {
-        some.push_back({double{points.x_m[i]}, double{points.y_m[i]}});
-    }
-    return some;
-}
-
-double mean_distance_m(const std::vector<Point2>& points) {
-    double sum = 0.0;
-    for (const Point2& point : points) {
-        sum += std::hypot(point.x_m, point.y_m);
-    }
-    return points.empty() ? 1.0 : sum / static_cast<double>(points.size());
-}
-
 bool same_place(const Pose2& a, const Pose2& b) {
     return distance_m(a, b) < same_place_m && std::abs(wrap_angle(a.theta_rad - b.theta_rad)) < same_heading_rad;
 }
@@ -146,7 +129,8 @@ LoopSearch::LoopSearch(const RbpfSettings& settings)
 std::vector<LoopSearch::Place> LoopSearch::coarse_places(const StretchMap& older, const StretchMap& newer,
                                                          const Pose2& predicted, double half_m, double half_rad) const {
     const CoarseMap map(older.grid);
-    const std::vector<Point2> points = some_points(newer.points);
+    const std::vector<Point2> points =
+        every_point(newer.points, std::max<std::size_t>(1, newer.points.size() / coarse_points));
     const double turn_rad = std::clamp(lattice_m / mean_distance_m(points), 0.01, 0.05);
     const int turns = static_cast<int>(std::ceil(half_rad / turn_rad));
     const int steps = static_cast<int>(std::ceil(half_m / lattice_m));

@@ -33,24 +33,9 @@ constexpr double least_support_below_best = 0.2;
 /// How sure a place of the lattice is.
 constexpr PosePrior place_prior{.sigma_along_m = 0.25, .sigma_across_m = 0.25, .sigma_turn_rad = 0.06};
 
-/// The points, thinned evenly.
-std::vector<Point2> some_of(const ScanPoints& points) {
-    const std::size_t step = points.size() / most_points + 1;
-    std::vector<Point2> some;
-    for (std::size_t i = 0; i < points.size(); i += step) {
-        some.push_back({double{points.x_m[i]}, double{points.y_m[i]}});
-    }
-    return some;
-}
-
 /// Turns by which the middle of the points moves by about a cell.
 std::size_t turns_for(const std::vector<Point2>& points, double cell_m) {
-    double sum_m = 0.0;
-    for (const Point2& point : points) {
-        sum_m += std::hypot(point.x_m, point.y_m);
-    }
-    const double mean_m = sum_m / static_cast<double>(points.size());
-    const double step_rad = std::clamp(1.5 * cell_m / mean_m, 0.015, 0.06);
+    const double step_rad = std::clamp(1.5 * cell_m / graph::mean_distance_m(points), 0.015, 0.06);
     return static_cast<std::size_t>(std::ceil(2.0 * std::numbers::pi / step_rad));
 }
 
@@ -216,7 +201,7 @@ void GlobalSearch::refine(const ScanPoints& points, FoundPlaces& found, const st
 
 FoundPlaces GlobalSearch::search(const ScanPoints& points) {
     FoundPlaces found;
-    const std::vector<Point2> some = some_of(points);
+    const std::vector<Point2> some = graph::every_point(points, points.size() / most_points + 1);
     if (some.empty() || map_.observed_box().empty()) {
         return found;
     }
