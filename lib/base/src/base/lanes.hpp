@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <cstring>
 
 namespace ddtool {
@@ -9,6 +10,7 @@ namespace ddtool {
 /// result has the same bytes for every vector width of the processor.
 inline constexpr std::size_t lane_count = 8;
 using Lanes = float __attribute__((vector_size(lane_count * sizeof(float))));
+using IntLanes = std::int32_t __attribute__((vector_size(lane_count * sizeof(std::int32_t))));
 
 /// DDTOOL_VECTORISED compiles a function for several vector widths; the best one for the processor is chosen when the
 /// program starts. DDTOOL_VECTORISED_WIDE is for functions whose vectors are twice as wide as Lanes, which are fast
@@ -31,13 +33,13 @@ inline bool has_wide_registers() { return false; }
 
 inline std::size_t round_up_to_lanes(std::size_t count) { return (count + lane_count - 1) / lane_count * lane_count; }
 
-template <typename Vector>
-inline __attribute__((always_inline)) void load(Vector& lanes, const float* from) {
+template <typename Vector, typename Element>
+inline __attribute__((always_inline)) void load(Vector& lanes, const Element* from) {
     std::memcpy(&lanes, from, sizeof lanes);
 }
 
-template <typename Vector>
-inline __attribute__((always_inline)) void store(float* to, const Vector& lanes) {
+template <typename Vector, typename Element>
+inline __attribute__((always_inline)) void store(Element* to, const Vector& lanes) {
     std::memcpy(to, &lanes, sizeof lanes);
 }
 

@@ -1,9 +1,12 @@
 #include "ddtool/filter/occupancy_grid.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstring>
 #include <utility>
 
+#include "base/lanes.hpp"
 #include "base/text.hpp"
 #include "ddtool/base/error.hpp"
 
@@ -36,21 +39,45 @@ bool all_equal(const std::int8_t* cells, int length, int value) {
     return differences == 0;
 }
 
+using Shorts = std::int16_t __attribute__((vector_size(Patch::size_cells * sizeof(std::int16_t))));
+using Bytes = std::int8_t __attribute__((vector_size(Patch::size_cells)));
+
 /// Updates the field in a piece of one patch: a cell gets the mean point of the occupied cell as its nearest point if
-/// that is nearer than the present one, or if the present one is an older mean of the same cell.
-void spread_in(Patch& patch, const CellBox& piece, Cell occupied_cell, NearestPoint offset) {
+/// that is nearer than the present one, or if the present one is an older mean of the same cell. The cells of a row are
+/// worked on side by side, as whole numbers of 16 bits; those outside of the piece are left as they are.
+DDTOOL_VECTORISED void spread_in(Patch& patch, const CellBox& piece, Cell occupied_cell, NearestPoint offset) {
+    static_assert(std::endian::native == std::endian::little && sizeof(NearestPoint) == sizeof(std::int16_t));
+    constexpr Shorts lane{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
+    constexpr Shorts ones = Shorts{} + std::int16_t{1};
+    constexpr int half = units / 2;
+    const auto first = static_cast<std::int16_t>(piece.x_min & Patch::local_mask);
+    const auto end = static_cast<std::int16_t>(first + piece.x_max - piece.x_min);
+    const Shorts inside = (lane >= first) & (lane < end);
+    // How many columns the occupied cell is to the right. Outside of the piece the number may not fit.
+    const Shorts right = (static_cast<std::int16_t>(occupied_cell.x - piece.x_min + first) - lane) & inside;
+    const Shorts candidate_x = (right * static_cast<std::int16_t>(units) + static_cast<std::int16_t>(offset.x));
     for (int y = piece.y_min; y < piece.y_max; ++y) {
-        std::size_t local = Patch::local(piece.x_min, y);
-        for (int x = piece.x_min; x < piece.x_max; ++x, ++local) {
-            const NearestPoint present = patch.nearest[local];
-            const NearestPoint candidate = moved(offset, occupied_cell, {x, y});
-            // The nearest point of an occupied cell is always its own mean, because add_hit() reads the mean from
-            // there.
-            const bool nearer = patch.log_odds[local] <= 0 && squared_length(candidate) < squared_length(present);
-            if (nearer || present.none() || cell_of(present, {x, y}) == occupied_cell) {
-                patch.nearest[local] = candidate;
-            }
-        }
+        NearestPoint* const row = patch.nearest.data() + Patch::local(0, y);
+        const auto up = static_cast<std::int16_t>(occupied_cell.y - y);
+        const auto candidate_y = static_cast<std::int16_t>(offset.y + units * up);
+        Shorts present;
+        Bytes odds;
+        std::memcpy(&present, row, sizeof present);
+        std::memcpy(&odds, patch.log_odds.data() + Patch::local(0, y), sizeof odds);
+        const Shorts present_x = (present << 8) >> 8;
+        const Shorts present_y = present >> 8;
+        const Shorts candidate2 = candidate_x * candidate_x + static_cast<std::int16_t>(candidate_y * candidate_y);
+        const Shorts present2 = present_x * present_x + present_y * present_y;
+        // The nearest point of an occupied cell is always its own mean, because add_hit() reads the mean from there.
+        const Shorts is_free = __builtin_convertvector(odds, Shorts) <= std::int16_t{0};
+        const Shorts is_none = present_x == std::int16_t{NearestPoint::none_mark};
+        const Shorts is_older =
+            (((present_x + std::int16_t{half}) >> 5) == right) & (((present_y + std::int16_t{half}) >> 5) == up * ones);
+        const Shorts change = inside & ((is_free & (candidate2 < present2)) | is_none | is_older);
+        const Shorts candidate = (candidate_x & std::int16_t{0xff}) |
+                                 static_cast<std::int16_t>(static_cast<std::uint16_t>(candidate_y) << 8);
+        const Shorts result = (candidate & change) | (present & ~change);
+        std::memcpy(static_cast<void*>(row), &result, sizeof result);
     }
 }
 

@@ -16,48 +16,6 @@ namespace {
 constexpr double settled_m = 1e-3;
 constexpr double settled_rad = 5e-4;
 
-struct Rotation {
-    float c, s;
-    explicit Rotation(double theta_rad)
-        : c(static_cast<float>(std::cos(theta_rad))), s(static_cast<float>(std::sin(theta_rad))) {}
-};
-
-/// The number of a cell. Cells beyond most_cells have no numbers. No map reaches that far, so the outermost number
-/// serves for them.
-int number_of(double whole_cells) { return static_cast<int>(std::clamp(whole_cells, -most_cells, most_cells)); }
-
-/// A pose in cells. The whole part is kept separately, so that floats stay precise far from the origin.
-struct CellPose {
-    int x0, y0;
-    float x, y;
-    CellPose(const Pose2& pose, double cell_size_m) : CellPose(pose.x_m / cell_size_m, pose.y_m / cell_size_m) {}
-
-private:
-    CellPose(double x_cells, double y_cells)
-        : x0(number_of(std::floor(x_cells))),
-          y0(number_of(std::floor(y_cells))),
-          x(static_cast<float>(x_cells - std::floor(x_cells))),
-          y(static_cast<float>(y_cells - std::floor(y_cells))) {}
-};
-
-/// Rounds down without std::floor, which is a library call on processors without SSE4.1. Works for values above -16384;
-/// here they are cells from the robot, and the settings allow no longer range.
-int floor_of(float value) {
-    constexpr int offset = 1 << 14;
-    return static_cast<int>(value + static_cast<float>(offset)) - offset;
-}
-
-/// Turns one block of vectors by the angle with the cosine c and the sine s, and moves them by (tx, ty).
-DDTOOL_VECTORISED void move_block(const float* x, const float* y, float c, float s, float tx, float ty, float* out_x,
-                                  float* out_y) {
-    Lanes px;
-    Lanes py;
-    load(px, x);
-    load(py, y);
-    store(out_x, c * px - s * py + tx);
-    store(out_y, s * px + c * py + ty);
-}
-
 BeamArrays arrays_of(const MatchPoints& points, const Residuals& residuals) {
     return {points.x.data(),
             points.y.data(),
@@ -70,13 +28,6 @@ BeamArrays arrays_of(const MatchPoints& points, const Residuals& residuals) {
             residuals.known.data()};
 }
 
-std::vector<float> padded(const std::vector<float>& values, double scale) {
-    std::vector<float> result(round_up_to_lanes(values.size()), 0.0F);
-    std::transform(values.begin(), values.end(), result.begin(),
-                   [&](float value) { return static_cast<float>(static_cast<double>(value) * scale); });
-    return result;
-}
-
 }  // namespace
 
 Eigen::Matrix3d information_of(const PosePrior& prior, double theta_rad) {
@@ -85,79 +36,17 @@ Eigen::Matrix3d information_of(const PosePrior& prior, double theta_rad) {
     return world_from_robot * sigma.cwiseAbs2().cwiseInverse().asDiagonal() * world_from_robot.transpose();
 }
 
-void Residuals::resize(std::size_t beams) {
-    for (std::vector<float>* values : {&x, &y, &normal_x, &normal_y, &along_weight, &found, &known}) {
-        values->resize(beams);
-    }
-    occupied.resize(beams);
-}
-
-MatchPoints::MatchPoints(const ScanPoints& points, double cell_size_m)
-    : x(padded(points.x_m, 1.0 / cell_size_m)),
-      y(padded(points.y_m, 1.0 / cell_size_m)),
-      normal_x(padded(points.normal_x, 1.0)),
-      normal_y(padded(points.normal_y, 1.0)),
-      along_weight(padded(points.along_weight, 1.0)),
-      counts(padded(std::vector<float>(points.size(), 1.0F), 1.0)),
-      beams(points.size()) {}
-
 ScanMatcher::ScanMatcher(const ScanMatcherSettings& settings, double cell_size_m)
     : settings_(settings),
       cell_size_m_(cell_size_m),
       inverse_reach2_(static_cast<float>(squared(cell_size_m / settings.reach_m))),
-      lines_(cell_size_m) {}
-
-void ScanMatcher::find_nearest(const OccupancyGrid& grid, const MatchPoints& points, const Pose2& pose,
-                               std::size_t stride) {
-    const Rotation rotation(pose.theta_rad);
-    const CellPose origin(pose, cell_size_m_);
-    residuals_.resize(points.x.size());
-    for (std::size_t block = 0; block < points.x.size(); block += stride * lane_count) {
-        float* ex = residuals_.x.data() + block;
-        float* ey = residuals_.y.data() + block;
-        // The end points, in cells relative to the corner of the cell (x0, y0), become residuals below.
-        move_block(points.x.data() + block, points.y.data() + block, rotation.c, rotation.s, origin.x, origin.y, ex,
-                   ey);
-        move_block(points.normal_x.data() + block, points.normal_y.data() + block, rotation.c, rotation.s, 0.0F, 0.0F,
-                   residuals_.normal_x.data() + block, residuals_.normal_y.data() + block);
-        std::copy_n(points.along_weight.data() + block, lane_count, residuals_.along_weight.data() + block);
-        for (std::size_t lane = 0; lane < lane_count; ++lane) {
-            const int cell_x = floor_of(ex[lane]);
-            const int cell_y = floor_of(ey[lane]);
-            const Cell cell{origin.x0 + cell_x, origin.y0 + cell_y};
-            const NearestPoint nearest = grid.nearest(cell);
-            constexpr float unit = 1.0F / NearestPoint::units_per_cell;
-            ex[lane] -= static_cast<float>(cell_x) + 0.5F + unit * (static_cast<float>(nearest.x) + 0.5F);
-            ey[lane] -= static_cast<float>(cell_y) + 0.5F + unit * (static_cast<float>(nearest.y) + 0.5F);
-            const bool known = !nearest.none() || grid.log_odds(cell) != Patch::unknown;
-            residuals_.occupied[block + lane] = cell_of(nearest, cell);
-            residuals_.found[block + lane] = nearest.none() ? 0.0F : points.counts[block + lane];
-            residuals_.known[block + lane] = known ? points.counts[block + lane] : 0.0F;
-        }
-    }
-}
-
-void ScanMatcher::find_residuals(const OccupancyGrid& grid, const MatchPoints& points, const Pose2& pose) {
-    find_nearest(grid, points, pose, 1);
-    for (std::size_t beam = 0; beam < points.beams; ++beam) {
-        if (residuals_.found[beam] == 0.0F) {
-            continue;
-        }
-        const MapLine line = lines_.through(grid, residuals_.occupied[beam]);
-        if (line.exists()) {
-            residuals_.x[beam] -= line.x;
-            residuals_.y[beam] -= line.y;
-            residuals_.normal_x[beam] = line.normal_x;
-            residuals_.normal_y[beam] = line.normal_y;
-            residuals_.along_weight[beam] = 0.0F;
-        }
-    }
-}
+      surfaces_(cell_size_m) {}
 
 ScanMatcher::Normal ScanMatcher::normal_equations(const MatchPoints& points, const Pose2& pose) const {
-    const Rotation rotation(pose.theta_rad);
     Sums sums{};
-    add_normal_equations(arrays_of(points, residuals_), points.x.size(), rotation.c, rotation.s, inverse_reach2_, sums);
+    add_normal_equations(arrays_of(points, surfaces_.residuals()), points.x.size(),
+                         static_cast<float>(std::cos(pose.theta_rad)), static_cast<float>(std::sin(pose.theta_rad)),
+                         inverse_reach2_, sums);
     // Converts from cells to metres, and from squared residuals to information.
     const double per_m2 = 1.0 / squared(settings_.beam_sigma_m);
     const double m = cell_size_m_;
@@ -176,7 +65,7 @@ double ScanMatcher::log_likelihood(const MatchPoints& points) const {
     const double inverse = 0.5 * squared(cell_size_m_ / settings_.beam_sigma_m);
     const double miss = 0.5 * squared(settings_.reach_m / settings_.beam_sigma_m);
     LogLikelihood result;
-    add_log_likelihoods(arrays_of(points, residuals_), points.x.size(), static_cast<float>(inverse),
+    add_log_likelihoods(arrays_of(points, surfaces_.residuals()), points.x.size(), static_cast<float>(inverse),
                         static_cast<float>(miss), result);
     // If all beams end in ground that was never observed, the scan says nothing about the pose, and each beam counts as
     // a miss.
@@ -185,7 +74,12 @@ double ScanMatcher::log_likelihood(const MatchPoints& points) const {
 }
 
 ScanMatch ScanMatcher::evaluate(const OccupancyGrid& grid, const MatchPoints& points, const Pose2& pose) {
-    find_residuals(grid, points, pose);
+    surfaces_.begin(points);
+    return evaluated(grid, points, pose);
+}
+
+ScanMatch ScanMatcher::evaluated(const OccupancyGrid& grid, const MatchPoints& points, const Pose2& pose) {
+    surfaces_.find(grid, points, pose, MeasuredAcross::map_lines);
     ScanMatch match = normal_equations(points, pose).match;
     match.log_likelihood = log_likelihood(points);
     return match;
@@ -201,11 +95,7 @@ ScanMatch ScanMatcher::refine(const OccupancyGrid& grid, const MatchPoints& poin
     // lines would be fitted in vain.
     bool with_lines = false;
     for (int iteration = 0; iteration < settings_.max_iterations; ++iteration) {
-        if (with_lines) {
-            find_residuals(grid, points, pose);
-        } else {
-            find_nearest(grid, points, pose, 1);
-        }
+        surfaces_.find(grid, points, pose, with_lines ? MeasuredAcross::map_lines : MeasuredAcross::scan_surfaces);
         Normal normal = normal_equations(points, pose);
         const Eigen::Vector3d from_prediction(pose.x_m - predicted.x_m, pose.y_m - predicted.y_m,
                                               wrap_angle(pose.theta_rad - predicted.theta_rad));
@@ -219,14 +109,14 @@ ScanMatch ScanMatcher::refine(const OccupancyGrid& grid, const MatchPoints& poin
         }
         with_lines = true;
     }
-    return evaluate(grid, points, pose);
+    return evaluated(grid, points, pose);
 }
 
 Pose2 ScanMatcher::search(const OccupancyGrid& grid, const MatchPoints& points, const Pose2& start) {
     Pose2 best = start;
-    double best_score = score(grid, points, start, search_stride);
+    double best_score = scored(grid, points, start, search_stride);
     const auto consider = [&](const Pose2& pose) {
-        const double pose_score = score(grid, points, pose, search_stride);
+        const double pose_score = scored(grid, points, pose, search_stride);
         if (pose_score > best_score) {
             best_score = pose_score;
             best = pose;
@@ -256,6 +146,7 @@ Pose2 ScanMatcher::search(const OccupancyGrid& grid, const MatchPoints& points, 
 
 ScanMatch ScanMatcher::match(const OccupancyGrid& grid, const MatchPoints& points, const Pose2& initial,
                              const PosePrior& prior) {
+    surfaces_.begin(points);
     const Eigen::Matrix3d prior_information = information_of(prior, initial.theta_rad);
     ScanMatch direct = refine(grid, points, initial, initial, prior_information);
     if (direct.score >= settings_.doubtful_score) {
@@ -266,8 +157,15 @@ ScanMatch ScanMatcher::match(const OccupancyGrid& grid, const MatchPoints& point
 }
 
 double ScanMatcher::score(const OccupancyGrid& grid, const MatchPoints& points, const Pose2& pose, std::size_t stride) {
-    find_nearest(grid, points, pose, stride);
-    const double sum = sum_of_scores(arrays_of(points, residuals_), points.x.size(), stride, inverse_reach2_);
+    surfaces_.begin(points);
+    return scored(grid, points, pose, stride);
+}
+
+double ScanMatcher::scored(const OccupancyGrid& grid, const MatchPoints& points, const Pose2& pose,
+                           std::size_t stride) {
+    surfaces_.find(grid, points, pose, MeasuredAcross::scan_surfaces, stride);
+    const double sum =
+        sum_of_scores(arrays_of(points, surfaces_.residuals()), points.x.size(), stride, inverse_reach2_);
     return sum / static_cast<double>(std::max<std::size_t>(points.beams, 1));
 }
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 
@@ -80,28 +79,22 @@ public:
     /// The nearest occupied point as seen from the cell's centre; none() where there is no such point in the field.
     [[nodiscard]] NearestPoint nearest(Cell cell) const { return patch_at(cell).nearest[Patch::local(cell.x, cell.y)]; }
 
-    /// Calls visit(cell, log odds, mean point as seen from the cell's centre) for the occupied cells of a box, row by
-    /// row within each patch.
+    /// Has the processor fetch what nearest() reads, without waiting for it.
+    void prefetch(Cell cell) const { __builtin_prefetch(&patch_at(cell).nearest[Patch::local(cell.x, cell.y)]); }
+
+    /// Calls visit(patch, box) for the pieces of a box that lie in one patch each.
     template <typename Visit>
-    void visit_occupied(const CellBox& box, Visit&& visit) const {
+    void visit_patches(const CellBox& box, Visit&& visit) const {
         for (int top = box.y_min; top < box.y_max; top = Patch::next(top)) {
             for (int left = box.x_min; left < box.x_max; left = Patch::next(left)) {
-                const Patch& patch = patch_at({left, top});
-                const int x_end = std::min(box.x_max, Patch::next(left));
-                const int y_end = std::min(box.y_max, Patch::next(top));
-                for (int y = top; y < y_end; ++y) {
-                    for (std::uint32_t row = patch.occupied_in_row(left, x_end, y); row != 0; row &= row - 1) {
-                        const int x = (left & ~Patch::local_mask) + std::countr_zero(row);
-                        const std::size_t local = Patch::local(x, y);
-                        visit(Cell{x, y}, patch.log_odds[local], patch.nearest[local]);
-                    }
-                }
+                visit(patch_at({left, top}), CellBox{left, top, std::min(box.x_max, Patch::next(left)),
+                                                     std::min(box.y_max, Patch::next(top))});
             }
         }
     }
 
-    /// Makes room for writing to the box. It must be called before the two functions below, for a box that holds the
-    /// cells they write. Throws MapTooLarge if the memory that the settings allow might not suffice, or if the map
+    /// Makes room for writing to the box. It must be called before the functions below that write, for a box that holds
+    /// the cells they write. Throws MapTooLarge if the memory that the settings allow might not suffice, or if the map
     /// would have more than most_patches, which is some square kilometres: no robot drives that far, but an odometry
     /// whose poses jump does.
     void reserve(const CellBox& box);

@@ -2,10 +2,8 @@
 
 #include <array>
 #include <atomic>
-#include <bit>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <memory>
 #include <vector>
 
@@ -76,31 +74,12 @@ struct Patch {
                static_cast<std::size_t>(cell_x & local_mask);
     }
 
-    /// A bit for each cell of row y, the lowest for the patch's first one: whether it is occupied and its x lies in
-    /// x_begin..x_end-1, which must be in this patch. Eight cells are looked at together, which is what makes it quick
-    /// to find the few occupied cells around another.
-    [[nodiscard]] std::uint32_t occupied_in_row(int x_begin, int x_end, int y) const {
-        static_assert(std::endian::native == std::endian::little && size_cells == 16);
-        std::array<std::uint64_t, 2> cells;
-        std::memcpy(cells.data(), log_odds.data() + local(0, y), sizeof cells);
-        const int first = x_begin & local_mask;
-        return (occupied_of(cells[0]) | occupied_of(cells[1]) << 8) & (((1U << (x_end - x_begin)) - 1U) << first);
-    }
     /// The coordinate, in the whole grid, of the first cell in the next patch.
     static int next(int cell) { return (cell | local_mask) + 1; }
 
     std::array<std::int8_t, cell_count> log_odds;
     std::array<NearestPoint, cell_count> nearest{};
     std::atomic<std::uint32_t> owners = 1;
-
-private:
-    /// The bits of eight cells. A byte above 0 has no sign bit, and its lower bits carry into the sign bit when 127 is
-    /// added to them. The product moves the eight sign bits side by side into the highest byte.
-    static std::uint32_t occupied_of(std::uint64_t cells) {
-        constexpr std::uint64_t lower_bits = 0x7f7f7f7f7f7f7f7f;
-        const std::uint64_t signs = ((cells & lower_bits) + lower_bits) & ~cells & ~lower_bits;
-        return static_cast<std::uint32_t>(((signs >> 7) * 0x0102040810204080) >> 56);
-    }
 };
 
 using PatchPointer = CopyOnWrite<Patch>;

@@ -2,39 +2,12 @@
 
 #include <Eigen/Core>
 #include <cstddef>
-#include <vector>
 
-#include "ddtool/filter/map_line.hpp"
+#include "ddtool/filter/beam_surfaces.hpp"
 #include "ddtool/filter/occupancy_grid.hpp"
 #include "ddtool/robot/pose2.hpp"
-#include "ddtool/robot/scan_points.hpp"
 
 namespace ddtool {
-
-/// A scan in the form that matching reads: in units of cells, padded to whole vector lanes. It is made once per scan
-/// and shared by all particles.
-struct MatchPoints {
-    std::vector<float> x, y;                ///< end points in cells, robot frame
-    std::vector<float> normal_x, normal_y;  ///< surface normals, robot frame
-    std::vector<float> along_weight;        ///< weight of the squared distance along the surface
-    std::vector<float> counts;              ///< 1 for a beam, 0 for padding
-    std::size_t beams = 0;
-
-    MatchPoints() = default;
-    MatchPoints(const ScanPoints& points, double cell_size_m);
-};
-
-/// Where each end point lies relative to the mapped surface, in cells in the world frame.
-struct Residuals {
-    std::vector<float> x, y;                ///< vector from a point of the surface to the end point
-    std::vector<float> normal_x, normal_y;  ///< unit normal of the surface
-    std::vector<float> along_weight;        ///< weight of the squared distance along the surface
-    std::vector<Cell> occupied;             ///< the cell of the nearest occupied point, if there is one
-    std::vector<float> found;               ///< 1 where an occupied point is near, otherwise 0
-    std::vector<float> known;  ///< 1 where one is near or the end point lies in observed ground, otherwise 0
-
-    void resize(std::size_t beams);
-};
 
 /// Searches score only every third block of beams; their result is then evaluated with all beams.
 inline constexpr std::size_t search_stride = 3;
@@ -104,13 +77,12 @@ private:
         Eigen::Vector3d gradient;
     };
 
-    /// Sets the residuals from the nearest occupied points, across the surfaces that the scan sees.
-    void find_nearest(const OccupancyGrid& grid, const MatchPoints& points, const Pose2& pose, std::size_t stride);
-    /// The same for all beams, but across the map's lines where there are any.
-    void find_residuals(const OccupancyGrid& grid, const MatchPoints& points, const Pose2& pose);
     /// Match and gradient from the latest residuals, which must be of all beams and at the same pose.
     [[nodiscard]] Normal normal_equations(const MatchPoints& points, const Pose2& pose) const;
     [[nodiscard]] double log_likelihood(const MatchPoints& points) const;
+    /// As evaluate() and score(), in the same grid and for the same scan as the call before.
+    ScanMatch evaluated(const OccupancyGrid& grid, const MatchPoints& points, const Pose2& pose);
+    double scored(const OccupancyGrid& grid, const MatchPoints& points, const Pose2& pose, std::size_t stride);
     ScanMatch refine(const OccupancyGrid& grid, const MatchPoints& points, const Pose2& start, const Pose2& predicted,
                      const Eigen::Matrix3d& prior_information);
     Pose2 search(const OccupancyGrid& grid, const MatchPoints& points, const Pose2& start);
@@ -118,8 +90,7 @@ private:
     ScanMatcherSettings settings_;
     double cell_size_m_;
     float inverse_reach2_;  ///< 1/cells^2
-    KeptMapLines lines_;
-    Residuals residuals_;
+    BeamSurfaces surfaces_;
 };
 
 }  // namespace ddtool

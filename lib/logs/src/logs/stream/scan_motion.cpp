@@ -22,6 +22,9 @@ constexpr double gap_on_line_m = 0.3;         ///< neighbours that differ by mor
 constexpr double off_line_m = 0.04;           ///< a point farther from the ends' line is at a corner
 /// In the first rounds, of a motion that is not known yet, more distant points count, too.
 constexpr std::array<double, 8> reach_m{0.5, 0.5, 0.5, 0.3, 0.3, 0.15, 0.15, 0.15};
+/// By how much the bearing of a point may change because the lidar moves sideways. Points nearer than twice the motion
+/// are left out.
+constexpr double most_parallax = 0.5;
 constexpr double least_in_reach = 0.5;  ///< share of the compared points
 /// So much of the information that points could have, if all surfaces lay across a direction, they must have in every
 /// direction. What the noise of the lines feigns is a tenth of it.
@@ -32,39 +35,53 @@ struct LineOfScan {
     Eigen::Vector2d normal;
 };
 
-/// The end points of every few beams; NaN where there is none.
-std::vector<Eigen::Vector2d> points_of(const LaserScan& scan, std::size_t every) {
-    const double most_m = scan.range_max_m > 0.0 ? scan.range_max_m : INFINITY;
-    std::vector<Eigen::Vector2d> points;
+/// The end point of a beam, with its range; NaN where there is none.
+struct EndPoint {
+    Eigen::Vector2d at;
+    double range_m;
+};
+
+/// The directions of every few beams.
+std::vector<Eigen::Vector2d> beam_directions(const LaserScan& scan, std::size_t every) {
+    std::vector<Eigen::Vector2d> directions;
     for (std::size_t beam = 0; beam < scan.ranges_m.size(); beam += every) {
-        const auto range_m = static_cast<double>(scan.ranges_m[beam]);
-        const double angle_rad = scan.angle_rad(beam);
-        const bool is_range = std::isfinite(range_m) && range_m > 0.0 && range_m < most_m;
-        points.emplace_back(is_range ? Eigen::Vector2d(range_m * std::cos(angle_rad), range_m * std::sin(angle_rad))
-                                     : Eigen::Vector2d::Constant(NAN));
+        directions.emplace_back(std::cos(scan.angle_rad(beam)), std::sin(scan.angle_rad(beam)));
+    }
+    return directions;
+}
+
+std::vector<EndPoint> points_of(const LaserScan& scan, std::size_t every,
+                                const std::vector<Eigen::Vector2d>& directions) {
+    const double most_m = scan.range_max_m > 0.0 ? scan.range_max_m : INFINITY;
+    std::vector<EndPoint> points;
+    for (std::size_t i = 0; i < directions.size(); ++i) {
+        const auto logged_m = static_cast<double>(scan.ranges_m[i * every]);
+        const bool is_range = std::isfinite(logged_m) && logged_m > 0.0 && logged_m < most_m;
+        const double range_m = is_range ? logged_m : NAN;
+        points.push_back({range_m * directions[i], range_m});
     }
     return points;
 }
 
-std::optional<LineOfScan> line_at(const std::vector<Eigen::Vector2d>& points, std::size_t i) {
+std::optional<LineOfScan> line_at(const std::vector<EndPoint>& points, std::size_t i) {
     const auto is_near = [&](std::size_t a, std::size_t b) {
-        return std::abs(points[a].norm() - points[b].norm()) < gap_on_line_m;
+        return std::abs(points[a].range_m - points[b].range_m) < gap_on_line_m;
     };
     for (std::size_t k = 1; k <= most_line_points && k <= i && i + k < points.size(); ++k) {
         if (!is_near(i - k, i - k + 1) || !is_near(i + k, i + k - 1)) {
             return std::nullopt;
         }
-        const Eigen::Vector2d chord = points[i + k] - points[i - k];
-        if (chord.norm() >= line_m) {
+        const Eigen::Vector2d chord = points[i + k].at - points[i - k].at;
+        if (chord.squaredNorm() >= line_m * line_m) {
             const Eigen::Vector2d normal = Eigen::Vector2d(-chord.y(), chord.x()).normalized();
-            const bool is_straight = std::abs(normal.dot(points[i] - points[i - k])) < off_line_m;
-            return is_straight ? std::optional(LineOfScan{points[i], normal}) : std::nullopt;
+            const bool is_straight = std::abs(normal.dot(points[i].at - points[i - k].at)) < off_line_m;
+            return is_straight ? std::optional(LineOfScan{points[i].at, normal}) : std::nullopt;
         }
     }
     return std::nullopt;
 }
 
-std::vector<std::optional<LineOfScan>> lines_at(const std::vector<Eigen::Vector2d>& points) {
+std::vector<std::optional<LineOfScan>> lines_at(const std::vector<EndPoint>& points) {
     std::vector<std::optional<LineOfScan>> lines;
     for (std::size_t i = 0; i < points.size(); ++i) {
         lines.push_back(line_at(points, i));
@@ -98,21 +115,28 @@ std::optional<Pose2> motion_between(const LaserScan& before, const LaserScan& af
     }
     const std::size_t every = (before.ranges_m.size() + most_points - 1) / most_points;
     const double step_rad = before.angle_increment_rad * static_cast<double>(every);
-    const std::vector<std::optional<LineOfScan>> lines = lines_at(points_of(before, every));
-    const std::vector<Eigen::Vector2d> points = points_of(after, every);
+    const double beams_of_circle = 2.0 * std::numbers::pi / std::abs(step_rad);
+    const std::vector<Eigen::Vector2d> directions = beam_directions(before, every);
+    const std::vector<std::optional<LineOfScan>> lines = lines_at(points_of(before, every, directions));
+    const std::vector<EndPoint> points = points_of(after, every, directions);
     Eigen::Vector3d motion(*turn_rad, 0.0, 0.0);
     Normals normals;
     for (const double reach : reach_m) {
         normals = {};
         const Eigen::Rotation2Dd rotation(motion(0));
-        for (const Eigen::Vector2d& point : points) {
-            const Eigen::Vector2d turned = rotation * point;
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            const Eigen::Vector2d turned = rotation * points[i].at;
             const Eigen::Vector2d moved = turned + motion.tail<2>();
-            const double from_first_rad =
-                std::remainder(std::atan2(moved.y(), moved.x()) - before.angle_min_rad, 2.0 * std::numbers::pi);
-            const double turn_of_scan = 2.0 * std::numbers::pi / std::abs(step_rad);
-            const double place = from_first_rad / step_rad;
-            const double beam = std::round(place < -0.5 ? place + turn_of_scan : place);
+            // The tangent of the angle between the two, the arc of which is given well enough by two terms.
+            const double tangent = (turned.x() * moved.y() - turned.y() * moved.x()) / turned.dot(moved);
+            if (!(std::abs(tangent) < most_parallax)) {
+                continue;
+            }
+            const double bearing_rad = motion(0) + tangent * (1.0 - tangent * tangent / 3.0);
+            const double place = static_cast<double>(i) + bearing_rad / step_rad;
+            const double beam = std::round(place < -0.5                                 ? place + beams_of_circle
+                                           : place >= static_cast<double>(lines.size()) ? place - beams_of_circle
+                                                                                        : place);
             if (!(beam >= 0.0 && beam < static_cast<double>(lines.size()))) {
                 continue;
             }

@@ -17,6 +17,12 @@ constexpr float shift_cap_m = 0.3F;     ///< what a beam that does not fit costs
 constexpr double same_surface_m = 0.3;  ///< neighbours that differ by more are not on one surface
 constexpr double fits_m = 0.1;          ///< residuals beyond it lose weight
 constexpr int refinements = 6;
+/// Smaller steps do not matter to what the turns are used for.
+constexpr double settled_rad = 1e-5;
+constexpr double settled_m = 1e-4;
+/// By how much the bearing of a point may change because the lidar moves sideways. Points nearer than twice the motion
+/// are left out, so that the series below are exact to a millionth.
+constexpr double most_parallax_rad = 0.5;
 constexpr double least_fitting = 0.5;  ///< share of the compared beams that must fit
 
 /// The ranges of every few beams of a scan; NaN where there is none.
@@ -48,6 +54,32 @@ private:
     double step_rad_;
     bool is_closed_ = false;
 };
+
+struct Direction {
+    double cosine;
+    double sine;
+
+    [[nodiscard]] Direction turned(const Direction& by) const {
+        return {cosine * by.cosine - sine * by.sine, sine * by.cosine + cosine * by.sine};
+    }
+};
+
+Direction direction_of(double angle_rad) { return {std::cos(angle_rad), std::sin(angle_rad)}; }
+
+/// The same for angles up to most_parallax_rad, by the first terms of the series.
+Direction direction_of_small(double angle_rad) {
+    const double square = angle_rad * angle_rad;
+    return {1.0 - square * (1.0 / 2.0 - square * (1.0 / 24.0 - square / 720.0)),
+            angle_rad * (1.0 - square * (1.0 / 6.0 - square / 120.0))};
+}
+
+std::vector<Direction> directions_of(double first_rad, double step_rad, std::size_t beams) {
+    std::vector<Direction> directions;
+    for (std::size_t beam = 0; beam < beams; ++beam) {
+        directions.push_back(direction_of(first_rad + static_cast<double>(beam) * step_rad));
+    }
+    return directions;
+}
 
 /// The whole number of beams by which the scans are turned against each other.
 std::ptrdiff_t best_shift(const Profile& before, const Profile& after) {
@@ -94,6 +126,7 @@ std::optional<double> turn_between(const LaserScan& before, const LaserScan& aft
     const Profile from(before, every);
     const Profile to(after, every);
     const double step_rad = from.step_rad();
+    const std::vector<Direction> directions = directions_of(before.angle_min_rad, step_rad, to.size());
     Eigen::Vector3d motion(static_cast<double>(best_shift(from, to)) * step_rad, 0.0, 0.0);  // turn, x, y
     double fitting = 0.0;
     std::size_t compared = 0;
@@ -102,23 +135,25 @@ std::optional<double> turn_between(const LaserScan& before, const LaserScan& aft
         Eigen::Vector3d gradient = Eigen::Vector3d::Zero();
         fitting = 0.0;
         compared = 0;
+        const Direction turn = direction_of(motion(0));
         for (std::size_t beam = 0; beam < to.size(); ++beam) {
             const auto range_m = static_cast<double>(to.at(static_cast<std::ptrdiff_t>(beam)));
             if (!std::isfinite(range_m)) {
                 continue;
             }
-            const double seen_rad = before.angle_min_rad + static_cast<double>(beam) * step_rad + motion(0);
-            const double bearing_rad =
-                seen_rad - (motion(1) * std::sin(seen_rad) - motion(2) * std::cos(seen_rad)) / range_m;
-            const double place = (bearing_rad - before.angle_min_rad) / step_rad;
+            const Direction seen = directions[beam].turned(turn);
+            const double parallax_rad = -(motion(1) * seen.sine - motion(2) * seen.cosine) / range_m;
+            if (!(std::abs(parallax_rad) < most_parallax_rad)) {
+                continue;
+            }
+            const double place = static_cast<double>(beam) + (motion(0) + parallax_rad) / step_rad;
             const auto left = static_cast<std::ptrdiff_t>(std::floor(place));
             const auto left_m = static_cast<double>(from.at(left));
             const auto right_m = static_cast<double>(from.at(left + 1));
             if (!(std::abs(right_m - left_m) < same_surface_m)) {
                 continue;
             }
-            const double cosine = std::cos(bearing_rad);
-            const double sine = std::sin(bearing_rad);
+            const auto [cosine, sine] = seen.turned(direction_of_small(parallax_rad));
             const double slope = (right_m - left_m) / step_rad;
             const double before_m = left_m + (place - static_cast<double>(left)) * (right_m - left_m);
             const double residual_m = range_m - (before_m - motion(1) * cosine - motion(2) * sine);
@@ -129,7 +164,11 @@ std::optional<double> turn_between(const LaserScan& before, const LaserScan& aft
             fitting += std::abs(residual_m) < fits_m ? 1.0 : 0.0;
             ++compared;
         }
-        motion -= information.ldlt().solve(gradient);
+        const Eigen::Vector3d step = information.ldlt().solve(gradient);
+        motion -= step;
+        if (std::abs(step(0)) < settled_rad && step.tail<2>().norm() < settled_m) {
+            break;
+        }
     }
     const bool is_good = compared >= least_beams / 2 && fitting >= least_fitting * static_cast<double>(compared) &&
                          std::abs(motion(0)) < most_turn_rad;

@@ -21,6 +21,9 @@ constexpr double way_step_m = 0.1;
 constexpr double most_way_turn_rad = 0.1;
 constexpr double longest_way_step_s = 20.0;  ///< for 10 cm; slower robots are not judged
 
+/// Of scans that are not compared, because the next step is not expected to end yet.
+constexpr std::size_t most_passed_over = 8;
+
 constexpr double least_every_s = 0.04;
 constexpr double stands_m = 0.001;
 
@@ -112,20 +115,41 @@ void ScanWay::add(const LaserScan& scan) {
     if (is_full()) {
         return;
     }
-    if (from_) {
-        const double since_s = seconds_between(from_->stamp_ns, scan.stamp_ns);
-        ++compared_;
-        const std::optional<Pose2> motion =
-            since_s > 0.0 && since_s < longest_way_step_s ? motion_between(*from_, scan) : std::nullopt;
-        if (motion && std::abs(motion->theta_rad) < most_way_turn_rad) {
-            const std::complex<double> moved_m{motion->x_m, motion->y_m};
-            if (std::abs(moved_m) < way_step_m) {
-                return;
-            }
-            steps_.push_back({from_->stamp_ns, scan.stamp_ns, moved_m});
-        }
+    ++since_from_;
+    if (passed_over_ > 0) {
+        --passed_over_;
+        return;
     }
+    if (!from_) {
+        start(scan);
+        return;
+    }
+    const double since_s = seconds_between(from_->stamp_ns, scan.stamp_ns);
+    ++compared_;
+    const std::optional<Pose2> motion =
+        since_s > 0.0 && since_s < longest_way_step_s ? motion_between(*from_, scan) : std::nullopt;
+    if (!motion || std::abs(motion->theta_rad) >= most_way_turn_rad) {
+        // A place where the scans do not tell the motion is likely to go on, and so is a turn.
+        ++in_vain_;
+        passed_over_ = std::min(std::size_t{1} << std::min(in_vain_, std::size_t{8}), most_passed_over) - 1;
+        from_.reset();
+        return;
+    }
+    in_vain_ = 0;
+    const std::complex<double> moved_m{motion->x_m, motion->y_m};
+    const double share = std::abs(moved_m) / way_step_m;
+    if (share < 1.0) {
+        const double left = (1.0 / std::max(share, 0.1) - 1.0) * static_cast<double>(since_from_);
+        passed_over_ = std::min({static_cast<std::size_t>(left / 2.0), since_from_, most_passed_over});
+        return;
+    }
+    steps_.push_back({from_->stamp_ns, scan.stamp_ns, moved_m});
+    start(scan);
+}
+
+void ScanWay::start(const LaserScan& scan) {
     from_ = scan;
+    since_from_ = 0;
 }
 
 void WayTrack::add(const StampedPose& odom_from_robot) {

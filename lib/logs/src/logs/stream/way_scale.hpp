@@ -13,7 +13,8 @@
 namespace ddtool {
 
 /// Steps of about 10 cm that a lidar went in the first part of a log, by its scans alone. Memory and time do not grow
-/// with the log: after most_steps steps, or most_compared comparisons, nothing is added.
+/// with the log: after most_steps steps, or most_compared comparisons, nothing is added. Scans between which the lidar
+/// hardly moves, or which do not tell how it moves, are not all compared.
 class ScanWay {
 public:
     static constexpr std::size_t most_steps = 200;
@@ -31,9 +32,14 @@ public:
     [[nodiscard]] bool is_full() const { return steps_.size() >= most_steps || compared_ >= most_compared; }
 
 private:
+    void start(const LaserScan& scan);
+
     std::optional<LaserScan> from_;
     std::vector<Step> steps_;
     std::size_t compared_ = 0;
+    std::size_t since_from_ = 0;   ///< scans
+    std::size_t passed_over_ = 0;  ///< scans that are still to come
+    std::size_t in_vain_ = 0;      ///< comparisons in a row
 };
 
 /// The poses of a moving frame along the log, in bounded memory.
