@@ -1,0 +1,24 @@
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "report/map_raster.hpp"
+
+namespace ddtool::python {
+
+/// A map as Python sees it: a copy, which later updates do not change.
+struct HeldMap {
+    MapRaster raster;
+    std::vector<std::int8_t> log_odds;
+
+    explicit HeldMap(const OccupancyGrid& grid) : raster(map_raster(grid)), log_odds(log_odds_of(grid, raster)) {}
+};
+
+/// Registers ddtool.Map and ddtool.read_map().
+void add_maps(pybind11::module_& module);
+
+}  // namespace ddtool::python
