@@ -20,8 +20,9 @@ py::array_t<double, py::array::c_style> numbers_from(const py::object& value, py
                                                      py::ssize_t columns, const std::string& name,
                                                      const std::string& form) {
     using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
-    const Numbers numbers = py::isinstance<py::str>(value) ? Numbers() : Numbers::ensure(value);
-    if (!numbers || numbers.ndim() != dimensions || (columns > 0 && numbers.shape(dimensions - 1) != columns)) {
+    const Numbers numbers = Numbers::ensure(value);
+    if (!numbers || py::isinstance<py::str>(value) || numbers.ndim() != dimensions ||
+        (columns > 0 && numbers.shape(dimensions - 1) != columns)) {
         PyErr_Clear();
         throw UsageError(name + ": expected " + form);
     }

@@ -32,7 +32,8 @@ Degeneracy CallableDetector::ask(const ParticleSnapshot& swarm) {
     const py::gil_scoped_acquire gil;
     try {
         // A copy, because the callable may keep it, or a view of it.
-        const py::object answer = callable_(std::make_shared<HeldSwarm>(std::make_shared<const ParticleSnapshot>(swarm)));
+        const py::object answer =
+            callable_(std::make_shared<HeldSwarm>(std::make_shared<const ParticleSnapshot>(swarm)));
         const bool is_pair = py::isinstance<py::tuple>(answer) && py::len(answer) == 2;
         const py::object degree_answer = is_pair ? py::object(answer[py::int_(0)]) : answer;
         const double degree = answered_number(degree_answer, "degree");

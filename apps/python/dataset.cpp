@@ -150,16 +150,18 @@ py::list runs_of(const Dataset& data) {
 }  // namespace
 
 void add_datasets(py::module_& module) {
-    py::class_<Dataset, std::shared_ptr<Dataset>>(module, "Dataset", R"(A data set of `ddtool build-dataset`; open_dataset() makes it.
+    py::class_<Dataset, std::shared_ptr<Dataset>>(module, "Dataset",
+                                                  R"(A data set of `ddtool build-dataset`; open_dataset() makes it.
 
 Its files are mapped into memory: opening reads no sample, and the arrays in shards and particles are read-only views of
 the files. Sample i is row i of the shards one after the other. docs/formats/dataset.md explains the fields.)")
         .def("__len__", &Dataset::size)
         .def_property_readonly("shards", &sample_shards,
                                "A list of structured arrays, one per file, a sample per row: views of the files.")
-        .def_property_readonly("particles", &particle_shards,
-                               "A list of (P, 13) float64 arrays, one per file, a particle per row: views of the files. "
-                               "The rows of a sample begin at its first_particle.")
+        .def_property_readonly(
+            "particles", &particle_shards,
+            "A list of (P, 13) float64 arrays, one per file, a particle per row: views of the files. "
+            "The rows of a sample begin at its first_particle.")
         .def_property_readonly("runs", &runs_of,
                                "A dict for each run that the samples come from; the field run of a sample counts them.")
         .def_property_readonly(
@@ -176,8 +178,7 @@ the files. Sample i is row i of the shards one after the other. docs/formats/dat
 part: "train", "validation", "test" or "unused". split: "held_out", by scenes, or "paper", at random.)")
         .def("swarm", &swarm_of, py::arg("index"), "The Swarm of a sample: a view of the file.")
         .def("images", &images_of, py::arg("indices"), py::kw_only(), py::arg("detector") = shipped_model_name,
-             py::arg("settings") = py::none(),
-             "(M, S, S) uint8, the images of these samples as render() draws them.")
+             py::arg("settings") = py::none(), "(M, S, S) uint8, the images of these samples as render() draws them.")
         .def("__repr__",
              [](const Dataset& data) { return "<ddtool.Dataset of " + std::to_string(data.size()) + " samples>"; });
     module.def(

@@ -20,7 +20,8 @@ py::array cells_view(const std::vector<std::int8_t>& cells, const HeldMap& map, 
 void write_map_server_files(const HeldMap& map, const py::object& path) {
     const std::filesystem::path file = py::module_::import("os").attr("fspath")(path).cast<std::string>();
     if (file.extension() != ".yaml" || file.stem().empty()) {
-        throw UsageError(file.string() + ": expected a name that ends with .yaml; the picture beside it ends with .pgm");
+        throw UsageError(file.string() +
+                         ": expected a name that ends with .yaml; the picture beside it ends with .pgm");
     }
     without_gil([&] { write_map_files(file.parent_path(), file.stem().string(), map.raster); });
 }
@@ -28,7 +29,8 @@ void write_map_server_files(const HeldMap& map, const py::object& path) {
 }  // namespace
 
 void add_maps(py::module_& module) {
-    py::class_<HeldMap, std::shared_ptr<HeldMap>>(module, "Map", R"(An occupancy grid: what was observed, and nothing around it.
+    py::class_<HeldMap, std::shared_ptr<HeldMap>>(module, "Map",
+                                                  R"(An occupancy grid: what was observed, and nothing around it.
 
 Row 0 is the lowest y and column 0 the lowest x: cell [row, column] covers origin + resolution * (column .. column + 1,
 row .. row + 1). Arrays are read-only views of this map, which later updates do not change.)")
@@ -63,9 +65,8 @@ row .. row + 1). Arrays are read-only views of this map, which later updates do 
         "read_map",
         [](const py::object& path) {
             const std::filesystem::path file = existing_path(path);
-            return without_gil([&] {
-                return std::make_shared<HeldMap>(maps::read_any_map(file, maps::MapParts::grid).grid);
-            });
+            return without_gil(
+                [&] { return std::make_shared<HeldMap>(maps::read_any_map(file, maps::MapParts::grid).grid); });
         },
         py::arg("path"),
         "Reads a saved map: a map.ddmap of a run, a map.yaml of map_server or nav2, or a folder with either.");

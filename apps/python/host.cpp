@@ -94,15 +94,13 @@ void put(Json& json, const std::string& path, Json value) {
 void add_errors(py::module_& module) {
     const py::object exception = py::reinterpret_borrow<py::object>(PyExc_Exception);
     ErrorTypes& types = error_types();
-    types.error = new_error(module, "Error",
-                            "What ddtool could not do. The text is one line: what, where, and what was expected.",
-                            exception);
+    types.error =
+        new_error(module, "Error",
+                  "What ddtool could not do. The text is one line: what, where, and what was expected.", exception);
     const py::object error = py::reinterpret_borrow<py::object>(types.error);
-    types.usage = new_error(module, "UsageError",
-                            "A wrong argument or setting; also a ValueError.",
+    types.usage = new_error(module, "UsageError", "A wrong argument or setting; also a ValueError.",
                             py::make_tuple(error, py::reinterpret_borrow<py::object>(PyExc_ValueError)));
-    types.output = new_error(module, "OutputError",
-                             "A file that could not be written; also an OSError.",
+    types.output = new_error(module, "OutputError", "A file that could not be written; also an OSError.",
                              py::make_tuple(error, py::reinterpret_borrow<py::object>(PyExc_OSError)));
     py::register_exception_translator(translate);
 }
@@ -118,9 +116,9 @@ void stop_if_asked() {
 
 std::filesystem::path existing_path(const py::object& path) {
     const py::object text = py::module_::import("os").attr("fspath")(path);
-    const std::filesystem::path found =
-        py::isinstance<py::bytes>(text) ? text.cast<std::string>()
-                                        : py::module_::import("os").attr("fsencode")(text).cast<std::string>();
+    const std::filesystem::path found = py::isinstance<py::bytes>(text)
+                                            ? text.cast<std::string>()
+                                            : py::module_::import("os").attr("fsencode")(text).cast<std::string>();
     std::error_code failure;
     if (!std::filesystem::exists(found, failure)) {
         errno = failure ? failure.value() : ENOENT;
@@ -170,9 +168,7 @@ Json json_from(const py::handle& value) {
                          py::repr(value).cast<std::string>());
 }
 
-py::object json_to_python(const Json& json) {
-    return py::module_::import("json").attr("loads")(json.dump());
-}
+py::object json_to_python(const Json& json) { return py::module_::import("json").attr("loads")(json.dump()); }
 
 void merge_dict(Json& settings, const std::optional<py::dict>& changes) {
     if (changes) {

@@ -124,7 +124,8 @@ std::shared_ptr<HeldTrajectory> odometry_of(const HeldLog& log, const std::strin
     const bool is_used = topic.empty() || topic == summary.odom_topic;
     const std::string wanted = topic.empty() ? summary.odom_topic : topic;
     if (wanted.empty()) {
-        throw UsageError(log.path().string() + ": the log has no topic of odometry; scan.odom_from_robot has what there is");
+        throw UsageError(log.path().string() +
+                         ": the log has no topic of odometry; scan.odom_from_robot has what there is");
     }
     const TransformNames names = is_used ? TransformNames{summary.odom_frame, summary.robot_frame} : TransformNames{};
     return without_gil([&] {
@@ -160,9 +161,8 @@ std::vector<TopicInventory> topics_of(const HeldLog& log) {
 /// A property of the summary, which another thread may be reading on.
 template <typename Value>
 auto of_summary(Value LogSummary::*member) {
-    return [member](const HeldLog& log) -> Value {
-        return without_gil([&]() -> Value { return log.summary().*member; });
-    };
+    return
+        [member](const HeldLog& log) -> Value { return without_gil([&]() -> Value { return log.summary().*member; }); };
 }
 
 void add_log_class(py::module_& module) {
@@ -171,7 +171,8 @@ void add_log_class(py::module_& module) {
 Iterating gives a Scan for each scan, those of several lidars joined; every iteration starts at the beginning. The
 members that count are complete when the iteration has ended.)")
         .def("__iter__", [](HeldLog& log) { return log.begin(); })
-        .def_property_readonly("path", [](const HeldLog& log) { return log.path().string(); }, "The path of the log.")
+        .def_property_readonly(
+            "path", [](const HeldLog& log) { return log.path().string(); }, "The path of the log.")
         .def_property_readonly("format", of_summary(&LogSummary::format), "\"MCAP\", \"ROS 1 bag\" and so on.")
         .def_property_readonly("scan_topic", of_summary(&LogSummary::scan_topic), "The topic of the scans.")
         .def_property_readonly("more_scan_topics", of_summary(&LogSummary::more_scan_topics),
@@ -230,7 +231,8 @@ void add_logs(py::module_& module) {
                 return std::vector<std::string>(topic.frames.begin(), topic.frames.end());
             },
             "\"laser\", \"odom -> base\"; only of types that ddtool reads.")
-        .def_property_readonly("rate_hz", &TopicInventory::rate_hz, "Messages per second; NaN if there are fewer than two.")
+        .def_property_readonly("rate_hz", &TopicInventory::rate_hz,
+                               "Messages per second; NaN if there are fewer than two.")
         .def("__repr__", [](const TopicInventory& topic) {
             return "<ddtool.Topic '" + topic.topic + "' " + topic.type + ", " + std::to_string(topic.messages) + ">";
         });

@@ -37,7 +37,8 @@ Run::Run(FilterSettings settings, Json all_settings, const GivenDetector& detect
     DetectorTable detectors;
     detectors.know(truth_);
     if (callable_) {
-        detectors.add(callable_name, [asked = callable_.get()](const ParticleSnapshot& swarm) { return asked->ask(swarm); });
+        detectors.add(callable_name,
+                      [asked = callable_.get()](const ParticleSnapshot& swarm) { return asked->ask(swarm); });
         settings.method.parts.detector = callable_name;
     }
     without_gil([&] {
@@ -57,8 +58,9 @@ Run::~Run() {
 
 void Run::expect_usable() const {
     if (::getpid() != process_ && threads_->size() > 1) {
-        throw Error("this object was made before os.fork(), and its threads are in the parent; make it in the child, or "
-                    "with threads=1");
+        throw Error(
+            "this object was made before os.fork(), and its threads are in the parent; make it in the child, or "
+            "with threads=1");
     }
     if (user_.load() == std::this_thread::get_id()) {
         throw Error("a detector cannot use the object that asks it; the Swarm that it gets has all that it may use");

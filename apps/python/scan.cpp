@@ -84,8 +84,8 @@ py::array_t<double> points_of(const HeldScan& held) {
         const double range_m = scan.ranges_m[beam];
         if (std::isfinite(range_m)) {
             const double angle_rad = scan.angle_rad(beam);
-            const Point2 point = held.frame.robot_from_laser *
-                                 Point2{range_m * std::cos(angle_rad), range_m * std::sin(angle_rad)};
+            const Point2 point =
+                held.frame.robot_from_laser * Point2{range_m * std::cos(angle_rad), range_m * std::sin(angle_rad)};
             points.insert(points.end(), {point.x_m, point.y_m});
         }
     }
@@ -120,8 +120,8 @@ py::tuple frame_state(const SensorFrame& frame) {
         scan.stamp_ns, scan.angle_min_rad, scan.angle_increment_rad, scan.time_increment_s, scan.scan_time_s,
         scan.range_min_m, scan.range_max_m,
         py::bytes(reinterpret_cast<const char*>(scan.ranges_m.data()), scan.ranges_m.size() * sizeof(float)),
-        pose_state(frame.robot_from_laser), pose_state(frame.odom_from_robot), truth,
-        static_cast<int>(frame.odom_step), sweep, frame.lidar, joined);
+        pose_state(frame.robot_from_laser), pose_state(frame.odom_from_robot), truth, static_cast<int>(frame.odom_step),
+        sweep, frame.lidar, joined);
 }
 
 SensorFrame frame_of_state(const py::tuple& state) {
@@ -181,9 +181,8 @@ Poses are arrays of x and y in metres and the heading in radians. A name such as
 in the odometry's frame. Arrays are read-only views; nothing is copied.)")
         .def(py::init(&made_scan), py::arg("ranges"), py::kw_only(), py::arg("angle_min_rad"),
              py::arg("angle_increment_rad"), py::arg("range_max_m"), py::arg("stamp_ns"),
-             py::arg("odom_from_robot") = py::none(),
-             py::arg("robot_from_laser") = py::make_tuple(0.0, 0.0, 0.0), py::arg("world_from_robot") = py::none(),
-             py::arg("range_min_m") = 0.0, py::arg("scan_time_s") = 0.0,
+             py::arg("odom_from_robot") = py::none(), py::arg("robot_from_laser") = py::make_tuple(0.0, 0.0, 0.0),
+             py::arg("world_from_robot") = py::none(), py::arg("range_min_m") = 0.0, py::arg("scan_time_s") = 0.0,
              R"(A scan of one's own. All its beams count as measured at the stamp.
 
 ranges: (B,) in metres. inf, and what is above range_max_m, is no return; NaN, and what is below range_min_m, is invalid.
@@ -193,8 +192,7 @@ stamp_ns: in nanoseconds.
 odom_from_robot: (3,); None where there is no odometry: the motion is then worked out from the scans.
 robot_from_laser: (3,), where the lidar is on the robot.
 world_from_robot: (3,), the true pose where it is known. The filter does not see it.)")
-        .def(
-            "__len__", [](const HeldScan& held) { return held.frame.scan.ranges_m.size(); })
+        .def("__len__", [](const HeldScan& held) { return held.frame.scan.ranges_m.size(); })
         .def("__repr__",
              [](const HeldScan& held) {
                  return "<ddtool.Scan of " + std::to_string(held.frame.scan.ranges_m.size()) + " beams at " +
@@ -205,12 +203,11 @@ world_from_robot: (3,), the true pose where it is known. The filter does not see
             "Stamp of the first beam in nanoseconds.")
         .def_property_readonly(
             "ranges",
-            [](const py::object& self) {
-                return view(std::span<const float>(frame_of(self).scan.ranges_m), self);
-            },
+            [](const py::object& self) { return view(std::span<const float>(frame_of(self).scan.ranges_m), self); },
             "(B,) float32, metres; inf is no return, NaN is invalid.")
-        .def_property_readonly("angles_rad", &angles_of,
-                               "(B,) The direction of each beam, counter-clockwise from the laser's x axis; a new array.")
+        .def_property_readonly(
+            "angles_rad", &angles_of,
+            "(B,) The direction of each beam, counter-clockwise from the laser's x axis; a new array.")
         .def_property_readonly(
             "angle_min_rad", [](const HeldScan& held) { return held.frame.scan.angle_min_rad; },
             "Direction of the first beam in radians.")
@@ -236,8 +233,9 @@ world_from_robot: (3,), the true pose where it is known. The filter does not see
             "odom_from_robot", [](const py::object& self) { return pose_view(frame_of(self).odom_from_robot, self); },
             "(3,) The odometry at the stamp.")
         .def_property_readonly(
-            "odometry", [](const HeldScan& held) { return name_of_step(held.frame.odom_step); },
-            "What the odometry says of the motion since the scan before: \"measured\", \"guessed\" where it has a gap, or "
+            "odom_step", [](const HeldScan& held) { return name_of_step(held.frame.odom_step); },
+            "What the odometry says of the motion since the scan before: \"measured\", \"guessed\" where it has a gap, "
+            "or "
             "\"unknown\".")
         .def_property_readonly(
             "world_from_robot",
@@ -254,13 +252,14 @@ world_from_robot: (3,), the true pose where it is known. The filter does not see
             "fisher_information",
             [](const py::object& self) -> py::object {
                 const auto& information = self.cast<const HeldScan&>().fisher_information;
-                return information ? py::object(view(information->data(), {3, 3},
-                                                     {sizeof(double), 3 * sizeof(double)}, self))
-                                   : py::none();
+                return information
+                           ? py::object(view(information->data(), {3, 3}, {sizeof(double), 3 * sizeof(double)}, self))
+                           : py::none();
             },
             "(3, 3) What the scan tells of (x, y, heading) in the robot's frame, in 1/m^2, 1/m and 1; None unless the "
             "scan is simulated.")
-        .def("points", &points_of, "(P, 2) The end points of the beams that hit something, in the robot's frame, in metres.")
+        .def("points", &points_of,
+             "(P, 2) The end points of the beams that hit something, in the robot's frame, in metres.")
         .def(py::pickle(&state_of_scan, &scan_of_state));
 }
 

@@ -70,18 +70,19 @@ std::shared_ptr<HeldTrajectory> held(Trajectory poses) {
 }  // namespace
 
 void add_simulations(py::module_& module) {
-    py::class_<HeldSimulation, std::shared_ptr<HeldSimulation>>(module, "Simulation", R"(A drive through a world; simulate() makes it.
+    py::class_<HeldSimulation, std::shared_ptr<HeldSimulation>>(module, "Simulation",
+                                                                R"(A drive through a world; simulate() makes it.
 
 A sequence of Scan with true poses and Fisher information: it has a length, an index, and can be iterated. Each scan is
 computed when it is asked for, and always has the same bytes.)")
         .def("__len__", [](const HeldSimulation& simulation) { return simulation.simulation.frame_count(); })
         .def("__getitem__", &scan_at, py::arg("index"))
-        .def("__iter__", [](const py::object& self) { return py::reinterpret_steal<py::object>(PySeqIter_New(self.ptr())); })
+        .def("__iter__",
+             [](const py::object& self) { return py::reinterpret_steal<py::object>(PySeqIter_New(self.ptr())); })
         .def_property_readonly(
             "world", [](const HeldSimulation& simulation) { return simulation.world; }, "The name of the world.")
         .def(
-            "truth",
-            [](const HeldSimulation& simulation) { return held(simulation.simulation.truth_at_scans()); },
+            "truth", [](const HeldSimulation& simulation) { return held(simulation.simulation.truth_at_scans()); },
             "The true poses, world_from_robot, at the stamps of the scans.")
         .def(
             "odometry", [](const HeldSimulation& simulation) { return held(simulation.simulation.odometry()); },

@@ -54,17 +54,16 @@ std::unique_ptr<Slam> make_slam(const std::optional<std::string>& method, const 
                                 const std::optional<std::uint64_t>& seed, const py::object& detector,
                                 const std::optional<py::dict>& settings, std::size_t threads) {
     const CommonArguments given{method, particles, seed, detector_from(detector), settings};
-    Json all = merged({{"log", default_log_settings()}, {"filter", filter_settings_json({})}, {"back_end", "none"}},
-                      given);
+    Json all =
+        merged({{"log", default_log_settings()}, {"filter", filter_settings_json({})}, {"back_end", "none"}}, given);
     if (all.at("back_end") != "none") {
         throw UsageError("back_end: expected none; the pose graph runs in `ddtool slam` alone");
     }
     const FilterSettings filter = filter_settings_from_json(all.at("filter"));
-    return std::make_unique<Slam>(
-        filter, std::move(all), given.detector, threads,
-        [](const FilterSettings& wanted, const DetectorTable& detectors, ThreadPool& pool) {
-            return make_filter(wanted, detectors, pool);
-        });
+    return std::make_unique<Slam>(filter, std::move(all), given.detector, threads,
+                                  [](const FilterSettings& wanted, const DetectorTable& detectors, ThreadPool& pool) {
+                                      return make_filter(wanted, detectors, pool);
+                                  });
 }
 
 std::unique_ptr<MapLocalizer> make_localizer(const py::object& map, const py::object& initial_pose,
@@ -82,9 +81,8 @@ std::unique_ptr<MapLocalizer> make_localizer(const py::object& map, const py::ob
     defaults.update(localization::default_localization_json());
     Json all = merged(std::move(defaults), given);
     localization::LocalizationSettings wanted = localization::localization_from_json(all);
-    const auto grid = without_gil([&] {
-        return std::make_shared<const OccupancyGrid>(maps::read_any_map(file, maps::MapParts::grid).grid);
-    });
+    const auto grid = without_gil(
+        [&] { return std::make_shared<const OccupancyGrid>(maps::read_any_map(file, maps::MapParts::grid).grid); });
     wanted.filter.rbpf.grid = grid->settings();
     return std::make_unique<MapLocalizer>(
         wanted.filter, std::move(all), given.detector, threads,
@@ -173,13 +171,18 @@ void add_run_members(py::class_<Type>& type) {
 
 What the detector raises is raised here, after the update was completed with the degree 0; the next scan can follow.)")
         .def(
-            "run", [](Type& run, const py::iterable& scans, const py::object& on_update) { return run_over(run, scans, on_update); },
+            "run",
+            [](Type& run, const py::iterable& scans, const py::object& on_update) {
+                return run_over(run, scans, on_update);
+            },
             py::arg("scans"), py::kw_only(), py::arg("on_update") = py::none(),
             R"(Takes all scans of a Log, a Simulation or another iterable of Scan; returns the trajectory.
 
 on_update: called with each Update. Ctrl-C ends the run between two scans; the path up to there stays.)")
-        .def("trajectory", &trajectory_of,
-             "A pose for every scan so far, from the past of the best particle. A copy, which later scans do not change.")
+        .def(
+            "trajectory", [](Type& run) { return trajectory_of(run); },
+            "A pose for every scan so far, from the past of the best particle. A copy, which later scans do not "
+            "change.")
         .def(
             "map",
             [](Type& run) {
@@ -223,7 +226,8 @@ void add_update_class(py::module_& module) {
     const auto swarm = [](const std::shared_ptr<HeldUpdate>& held, const ParticleSnapshot& particles) {
         return std::make_shared<HeldSwarm>(std::shared_ptr<const ParticleSnapshot>(held, &particles));
     };
-    py::class_<HeldUpdate, std::shared_ptr<HeldUpdate>>(module, "Update", R"(What one update of the filter observed and did.
+    py::class_<HeldUpdate, std::shared_ptr<HeldUpdate>>(module, "Update",
+                                                        R"(What one update of the filter observed and did.
 
 Arrays are read-only views of this update, which later updates do not change.)")
         .def_property_readonly(
@@ -233,8 +237,7 @@ Arrays are read-only views of this update, which later updates do not change.)")
             "number", [](const HeldUpdate& held) { return held.update.matched.update; },
             "Number of updates before this one.")
         .def_property_readonly(
-            "pose",
-            [](const py::object& self) { return pose_view(self.cast<const HeldUpdate&>().update.pose, self); },
+            "pose", [](const py::object& self) { return pose_view(self.cast<const HeldUpdate&>().update.pose, self); },
             "(3,) world_from_robot of the best particle: x and y in metres, heading in radians.")
         .def_property_readonly(
             "covariance",
@@ -251,8 +254,7 @@ Arrays are read-only views of this update, which later updates do not change.)")
             "The direction in the world in which the position is known least, in radians: the one that a callable "
             "detector gave in this update, else that in which the swarm spreads most.")
         .def_property_readonly(
-            "swarm",
-            [swarm](const std::shared_ptr<HeldUpdate>& held) { return swarm(held, held->update.matched); },
+            "swarm", [swarm](const std::shared_ptr<HeldUpdate>& held) { return swarm(held, held->update.matched); },
             "The Swarm after scan matching, as the detector got it.")
         .def_property_readonly(
             "corrected",
@@ -291,9 +293,9 @@ settings: those of `ddtool slam` by their names in JSON, nested or with dots: {"
     before come after them. The group "log" is for open_log() and has no effect here.
 threads: 0 is one per core.)");
     add_run_members(slam);
-    py::class_<MapLocalizer> localizer(module, "Localizer",
-                                       "Follows a robot in a saved map, as `ddtool localize` does; localize() makes it.",
-                                       seen_by_collector<MapLocalizer>());
+    py::class_<MapLocalizer> localizer(
+        module, "Localizer", "Follows a robot in a saved map, as `ddtool localize` does; localize() makes it.",
+        seen_by_collector<MapLocalizer>());
     add_run_members(localizer);
     module.def("localize", &make_localizer, py::arg("map"), py::arg("initial_pose") = py::none(), py::kw_only(),
                py::arg("method") = py::none(), py::arg("particles") = py::none(), py::arg("seed") = py::none(),

@@ -46,10 +46,11 @@ struct GivenDetector {
 GivenDetector detector_from(const py::object& given);
 
 /// Makes a filter for settings with detectors on threads.
-using FilterMaker = std::function<std::unique_ptr<ParticleFilter>(const FilterSettings&, const DetectorTable&, ThreadPool&)>;
+using FilterMaker =
+    std::function<std::unique_ptr<ParticleFilter>(const FilterSettings&, const DetectorTable&, ThreadPool&)>;
 
-/// A filter that Python feeds scan by scan, with what it needs: threads, the odometry that its scans complete, the truth
-/// of simulated scans. Several Python threads may use it; they wait for each other.
+/// A filter that Python feeds scan by scan, with what it needs: threads, the odometry that its scans complete, the
+/// truth of simulated scans. Several Python threads may use it; they wait for each other.
 class Run {
 public:
     /// \param settings of the filter; a callable takes the place of their detector

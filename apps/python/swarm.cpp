@@ -232,16 +232,11 @@ odometry_motion: (3,), the motion without noise since the last update; zero if n
         .def_property_readonly("particles", &all_numbers,
                                "(N, 13) All of the above, a particle per row, in the columns of the data sets' files.")
         .def_property_readonly(
-            "effective_size",
-            [](const HeldSwarm& swarm) {
-                return effective_sample_size(weights_of(swarm.particles));
-            },
+            "effective_size", [](const HeldSwarm& swarm) { return effective_sample_size(weights_of(swarm.particles)); },
             "Effective sample size: how many particles carry the weight, from 1 to N.")
         .def_property_readonly(
             "dispersion",
-            [](const HeldSwarm& swarm) {
-                return dispersion(swarm.particles, &SnapshotParticle::log_likelihood);
-            },
+            [](const HeldSwarm& swarm) { return dispersion(swarm.particles, &SnapshotParticle::log_likelihood); },
             "The paper's R: variance over magnitude of the mean of the log-likelihoods.")
         .def(
             "shape",
@@ -277,8 +272,7 @@ it ("filter.gate").)")
                 return without_gil([&] { return detector.ask(swarm); });
             },
             py::arg("swarm"), "The degree of degeneracy: 0 where the scan determines the pose, 1 where it does not.")
-        .def("__repr__",
-             [](const NamedDetector& detector) { return "<ddtool.Detector '" + detector.name() + "'>"; });
+        .def("__repr__", [](const NamedDetector& detector) { return "<ddtool.Detector '" + detector.name() + "'>"; });
 }
 
 }  // namespace
@@ -286,7 +280,8 @@ it ("filter.gate").)")
 void add_swarms(py::module_& module) {
     add_swarm_class(module);
     add_detector_class(module);
-    module.def("detectors", [] { return DetectorTable().names(); }, "The names of the detectors.");
+    module.def(
+        "detectors", [] { return DetectorTable().names(); }, "The names of the detectors.");
     module.def("methods", &method_names, "The names of the methods of the filter.");
     module.def("render", &render, py::arg("swarm"), py::kw_only(), py::arg("detector") = shipped_model_name,
                py::arg("settings") = py::none(),

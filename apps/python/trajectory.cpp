@@ -48,8 +48,8 @@ Holder made_trajectory(const py::object& stamps_ns, const py::object& poses) {
 
 py::tuple state_of_trajectory(const HeldTrajectory& held) {
     static_assert(std::is_trivially_copyable_v<StampedPose>);
-    return py::make_tuple(py::bytes(reinterpret_cast<const char*>(held.poses.data()),
-                                    held.poses.size() * sizeof(StampedPose)));
+    return py::make_tuple(
+        py::bytes(reinterpret_cast<const char*>(held.poses.data()), held.poses.size() * sizeof(StampedPose)));
 }
 
 Holder trajectory_of_state(const py::tuple& state) {
@@ -60,7 +60,9 @@ Holder trajectory_of_state(const py::tuple& state) {
     return made;
 }
 
-std::string path_text(const py::object& path) { return py::module_::import("os").attr("fspath")(path).cast<std::string>(); }
+std::string path_text(const py::object& path) {
+    return py::module_::import("os").attr("fspath")(path).cast<std::string>();
+}
 
 /// A score with the errors behind its figures.
 struct HeldScore {
@@ -82,8 +84,7 @@ std::shared_ptr<HeldScore> score(const py::object& estimate, const py::object& t
         .ate = {.alignment = parse_alignment(align), .max_time_difference_s = max_time_difference_s},
         .rpe_delta = {.value = rpe_delta, .unit = parse_delta_unit(rpe_unit)}};
     const Trajectory path = trajectory_from(estimate);
-    const std::optional<Trajectory> reference =
-        truth.is_none() ? std::nullopt : std::optional(trajectory_from(truth));
+    const std::optional<Trajectory> reference = truth.is_none() ? std::nullopt : std::optional(trajectory_from(truth));
     const std::optional<std::vector<Relation>> motions =
         relations.is_none() ? std::nullopt : std::optional(read_relations(existing_path(relations)));
     auto held = std::make_shared<HeldScore>();

@@ -17,7 +17,9 @@ def image_of(swarm: ddtool.Swarm) -> torch.Tensor:
 
 
 def is_degenerate(scan: ddtool.Scan, update: ddtool.Update) -> float:
-    variances, axes = np.linalg.eigh(np.linalg.inv(scan.fisher_information + 1e-6 * np.eye(3))[:2, :2])
+    information = scan.fisher_information
+    assert information is not None
+    variances, axes = np.linalg.eigh(np.linalg.inv(information + 1e-6 * np.eye(3))[:2, :2])
     moved = np.cov(update.swarm.predicted_motions[:, :2].T)
     weakest = axes[:, -1]
     return float(variances[-1] > weakest @ moved @ weakest)
@@ -52,11 +54,12 @@ if __name__ == "__main__":
     torch.set_num_threads(1)
     network = trained(samples_of("s1") + samples_of("random:office:3"))
 
-    @torch.no_grad()
     def degree(swarm: ddtool.Swarm) -> float:
-        return torch.sigmoid(network(image_of(swarm)[None])).item()
+        with torch.no_grad():
+            return float(torch.sigmoid(network(image_of(swarm)[None])))
 
     scans = ddtool.simulate("s2", settings={"lidar.preset": "rplidar-a1"})
     slam = ddtool.Slam(particles=30, seed=1, detector=degree)
     path = slam.run(scans)
-    print(f"ATE {ddtool.score(path, scans.truth()).ate_m.rmse:.3f} m")
+    errors_m = ddtool.score(path, scans.truth()).errors_m
+    print(f"ATE {np.sqrt(np.mean(errors_m**2)):.3f} m")

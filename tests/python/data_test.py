@@ -85,7 +85,7 @@ class Scans(InFolder):
         np.testing.assert_allclose(scan.angles_rad, [-1, -0.5, 0, 0.5, 1, 1.5])
         np.testing.assert_allclose(scan.points()[0], [0.1 + math.cos(-1), math.sin(-1)])
         self.assertEqual(scan.points().shape, (2, 2))
-        self.assertEqual((len(scan), scan.odometry, scan.world_from_robot, scan.joined, scan.lidar),
+        self.assertEqual((len(scan), scan.odom_step, scan.world_from_robot, scan.joined, scan.lidar),
                          (6, "measured", None, [], 0))
 
     def test_own_scans_map_like_those_of_the_log(self):
@@ -162,11 +162,8 @@ class Scores(InFolder):
         self.simulation.odometry().write(self.folder / "odometry.tum")
         stamps = 1e-9 * truth.stamps_ns[[0, -1]]
         (self.folder / "a.relations").write_text(f"{stamps[0]:.9f} {stamps[1]:.9f} 1 2 0 0 0 0.5\n")
-        import subprocess
-        from support import DDTOOL
-        told = json.loads(subprocess.run(
-            [DDTOOL, "--quiet", "score", "--json", "--trajectory", "odometry.tum", "--reference", "truth.tum",
-             "--relations", "a.relations"], cwd=self.folder, check=True, capture_output=True).stdout)
+        told = json.loads(command("score", "--json", "--trajectory", "odometry.tum", "--reference", "truth.tum",
+                                  "--relations", "a.relations", cwd=self.folder))
         score = ddtool.score(self.folder / "odometry.tum", self.folder / "truth.tum", self.folder / "a.relations")
         self.assertEqual(score.as_dict(), told)
         self.assertEqual(score.relations_m.count, 1)
