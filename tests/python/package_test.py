@@ -64,7 +64,7 @@ class Errors(InFolder):
             ddtool.localize(self.folder, (1, 2))
 
     def test_a_map_that_grows_too_large_ends_the_run_and_keeps_it(self):
-        slam = self.new_slam(settings={"filter.grid.most_memory_mib": 24})
+        slam = self.new_slam(settings={"filter.grid.most_memory_mib": 64})
         with self.assertRaises(ddtool.Error):
             slam.run(self.far_scan(step) for step in range(200))
         self.assertGreater(len(slam.trajectory()), 0)
