@@ -109,7 +109,7 @@ HeldSwarm swarm_of(const std::shared_ptr<const Dataset>& data, py::ssize_t index
 
 py::array_t<std::uint8_t> images_of(const Dataset& data, const std::vector<py::ssize_t>& indices,
                                     const std::string& detector, const std::optional<py::dict>& settings) {
-    Json json = image_seen_natively(detector);
+    Json json = image_seen_natively(expect_model_file(detector));
     merge_dict(json, settings);
     ParticleRenderer renderer(json.get<ImageSettings>());
     std::vector<std::size_t> samples;

@@ -128,6 +128,13 @@ std::filesystem::path existing_path(const py::object& path) {
     return found;
 }
 
+const std::string& expect_model_file(const std::string& detector) {
+    if (detector.ends_with(".safetensors")) {
+        static_cast<void>(existing_path(py::str(detector)));
+    }
+    return detector;
+}
+
 Json json_from(const py::handle& value) {
     if (value.is_none()) {
         return {};

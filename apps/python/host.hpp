@@ -32,6 +32,9 @@ void stop_if_asked();
 /// The path of a str or os.PathLike. Throws FileNotFoundError if nothing is there.
 std::filesystem::path existing_path(const py::object& path);
 
+/// The name of a detector as it is. Throws FileNotFoundError if it is that of a network's file that is not there.
+const std::string& expect_model_file(const std::string& detector);
+
 /// JSON from dict, list, tuple, str, bool, None and numbers, NumPy's too. Throws TypeError for anything else.
 Json json_from(const py::handle& value);
 /// dict, list, str, bool, None, int and float from JSON.

@@ -73,7 +73,7 @@ class HeldLog {
 public:
     HeldLog(std::filesystem::path path, LogOptions options)
         : path_(std::move(path)), options_(std::move(options)), latest_(make_reading()) {
-        for (const std::string& assumption : summary().assumptions) {
+        for (const std::string& assumption : latest_->summary().assumptions) {
             log_warning(assumption);
         }
     }
@@ -87,7 +87,10 @@ public:
         latest_ = without_gil([&] { return make_reading(); });
         return latest_;
     }
-    [[nodiscard]] LogSummary summary() const { return latest_->summary(); }
+    /// Of the latest reading, which another thread may be going on with. Call it with the GIL.
+    [[nodiscard]] LogSummary summary() const {
+        return without_gil([reading = latest_] { return reading->summary(); });
+    }
 
 private:
     [[nodiscard]] std::shared_ptr<Reading> make_reading() const { return std::make_shared<Reading>(path_, options_); }
@@ -120,7 +123,7 @@ std::shared_ptr<HeldLog> make_log(const py::object& path, const std::optional<py
 }
 
 std::shared_ptr<HeldTrajectory> odometry_of(const HeldLog& log, const std::string& topic) {
-    const LogSummary summary = without_gil([&] { return log.summary(); });
+    const LogSummary summary = log.summary();
     const bool is_used = topic.empty() || topic == summary.odom_topic;
     const std::string wanted = topic.empty() ? summary.odom_topic : topic;
     if (wanted.empty()) {
@@ -135,10 +138,9 @@ std::shared_ptr<HeldTrajectory> odometry_of(const HeldLog& log, const std::strin
 }
 
 ImuArrays imu_of(const HeldLog& log, const std::string& topic) {
-    const std::vector<ImuReading> readings = without_gil([&] {
-        const std::string used = topic.empty() ? log.summary().imu_topic : topic;
-        return read_imu(log.path(), used, {}, watch_for_signals());
-    });
+    const std::string used = topic.empty() ? log.summary().imu_topic : topic;
+    const std::vector<ImuReading> readings =
+        without_gil([&] { return read_imu(log.path(), used, {}, watch_for_signals()); });
     const auto count = static_cast<py::ssize_t>(readings.size());
     py::array_t<std::int64_t> stamps_ns(count);
     py::array_t<double> turns({count, py::ssize_t{3}});
@@ -158,11 +160,10 @@ std::vector<TopicInventory> topics_of(const HeldLog& log) {
     return without_gil([&] { return take_inventory(log.path(), {}, watch_for_signals()).topics; });
 }
 
-/// A property of the summary, which another thread may be reading on.
+/// A property of the summary.
 template <typename Value>
 auto of_summary(Value LogSummary::*member) {
-    return
-        [member](const HeldLog& log) -> Value { return without_gil([&]() -> Value { return log.summary().*member; }); };
+    return [member](const HeldLog& log) -> Value { return log.summary().*member; };
 }
 
 void add_log_class(py::module_& module) {
@@ -194,7 +195,7 @@ members that count are complete when the iteration has ended.)")
                                "A line about each of the first of them.")
         .def_property_readonly("assumptions", of_summary(&LogSummary::assumptions),
                                "What the log does not say and was assumed, a line each.")
-        .def_property_readonly("topics", &topics_of, "A Topic for each topic. Reads the log to its end.")
+        .def("topics", &topics_of, "A Topic for each topic. Reads the log to its end.")
         .def("odometry", &odometry_of, py::arg("topic") = "",
              R"(The odometry as it was recorded, at its own stamps: a Trajectory of odom_from_robot.
 

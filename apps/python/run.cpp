@@ -22,7 +22,7 @@ GivenDetector detector_from(const py::object& given) {
         return {};
     }
     if (py::isinstance<py::str>(given) || py::hasattr(given, "__fspath__")) {
-        return {py::module_::import("os").attr("fspath")(given).cast<std::string>(), nullptr};
+        return {expect_model_file(py::module_::import("os").attr("fspath")(given).cast<std::string>()), nullptr};
     }
     if (PyCallable_Check(given.ptr()) == 0) {
         throw py::type_error("detector: expected a name or a callable, not " +
@@ -34,6 +34,11 @@ GivenDetector detector_from(const py::object& given) {
 Run::Run(FilterSettings settings, Json all_settings, const GivenDetector& detector, std::size_t threads,
          const FilterMaker& make)
     : all_settings_(std::move(all_settings)), callable_(detector.callable), process_(::getpid()) {
+    constexpr std::size_t most_threads = 1024;  // more than any machine has cores, and few enough to be started
+    if (threads > most_threads) {
+        throw UsageError("threads: expected a number from 0 to " + std::to_string(most_threads) + ", not " +
+                         std::to_string(threads));
+    }
     DetectorTable detectors;
     detectors.know(truth_);
     if (callable_) {

@@ -28,6 +28,9 @@ std::shared_ptr<HeldSimulation> simulate(const py::object& world, const std::opt
     Json all = sim::default_simulation_json();
     merge_dict(all, settings);
     Json given{{"world", py::module_::import("os").attr("fspath")(world).cast<std::string>()}};
+    if (given["world"].get<std::string>().ends_with(".json")) {
+        static_cast<void>(existing_path(world));
+    }
     if (seed) {
         given["seed"] = *seed;
     }

@@ -119,7 +119,7 @@ class NamedDetector {
 public:
     NamedDetector(std::string name, const FilterSettings& settings)
         : name_(std::move(name)),
-          detector_(DetectorTable().make(name_, settings.method.detection, settings.rbpf.motion)) {}
+          detector_(DetectorTable().make(expect_model_file(name_), settings.method.detection, settings.rbpf.motion)) {}
 
     double ask(const HeldSwarm& swarm) {
         const std::lock_guard lock(mutex_);
@@ -134,7 +134,7 @@ private:
 };
 
 ImageSettings image_settings(const std::string& detector, const std::optional<py::dict>& settings) {
-    Json json = image_seen_natively(detector);
+    Json json = image_seen_natively(expect_model_file(detector));
     merge_dict(json, settings);
     const ImageSettings image = json.get<ImageSettings>();
     expect_valid(image);
@@ -232,7 +232,10 @@ odometry_motion: (3,), the motion without noise since the last update; zero if n
         .def_property_readonly("particles", &all_numbers,
                                "(N, 13) All of the above, a particle per row, in the columns of the data sets' files.")
         .def_property_readonly(
-            "effective_size", [](const HeldSwarm& swarm) { return effective_sample_size(weights_of(swarm.particles)); },
+            "effective_size",
+            [](const HeldSwarm& swarm) {
+                return swarm.particles.empty() ? 0.0 : effective_sample_size(weights_of(swarm.particles));
+            },
             "Effective sample size: how many particles carry the weight, from 1 to N.")
         .def_property_readonly(
             "dispersion",

@@ -32,6 +32,9 @@ Holder made_trajectory(const py::object& stamps_ns, const py::object& poses) {
         throw UsageError("stamps_ns: expected whole numbers of nanoseconds, shape (poses,)");
     }
     const Stamps stamps = given.attr("astype")("int64").cast<Stamps>();
+    if (!py::module_::import("numpy").attr("array_equal")(stamps, given).cast<bool>()) {
+        throw UsageError("stamps_ns: expected numbers below 2^63");
+    }
     const auto rows = numbers_from(poses, 2, 3, "poses", "an array of shape (poses, 3)");
     if (stamps.ndim() != 1 || stamps.shape(0) != rows.shape(0)) {
         throw UsageError("stamps_ns: expected shape (" + std::to_string(rows.shape(0)) + ",), a stamp for each pose");

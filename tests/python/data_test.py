@@ -31,7 +31,7 @@ class Logs(InFolder):
         self.assertTrue(all(one.stamp_ns == other.stamp_ns for one, other in pairs))
 
     def test_topics(self):
-        topics = {topic.name: topic for topic in ddtool.open_log(self.log).topics}
+        topics = {topic.name: topic for topic in ddtool.open_log(self.log).topics()}
         self.assertEqual(topics["/scan"].messages, len(self.simulation))
         self.assertEqual(topics["/scan"].frames, ["laser"])
         self.assertEqual(topics["/odom"].type, "nav_msgs/msg/Odometry")
@@ -140,6 +140,8 @@ class Simulations(InFolder):
         self.assertIn("s2", ddtool.worlds())
         with self.assertRaisesRegex(ddtool.UsageError, "s2"):
             ddtool.simulate("s22")
+        with self.assertRaises(FileNotFoundError):
+            ddtool.simulate("no.json")
 
 
 class Scores(InFolder):
@@ -182,7 +184,7 @@ class Scores(InFolder):
         later = ddtool.Trajectory(truth.stamps_ns + 10**12, truth.poses)
         with self.assertRaises(ddtool.Error):
             ddtool.score(later, truth)
-        for stamps, poses in (([1.5], [[0, 0, 0]]), ([1, 2], [[0, 0, 0]]), ([1], [[0, 0]]), ([1], [[0, 0, math.nan]])):
+        for stamps, poses in ((np.array([2**63], np.uint64), [[0, 0, 0]]), ([1.5], [[0, 0, 0]]), ([1, 2], [[0, 0, 0]]), ([1], [[0, 0]]), ([1], [[0, 0, math.nan]])):
             with self.subTest(stamps=stamps, poses=poses), self.assertRaises(ValueError):
                 ddtool.Trajectory(stamps, poses)
 
@@ -205,7 +207,7 @@ class Images(InFolder):
             ddtool.render(self.swarm(), settings={"sise_px": 64})
         with self.assertRaisesRegex(ddtool.UsageError, "size_px"):
             ddtool.render(self.swarm(), settings={"size_px": 0})
-        with self.assertRaises(ddtool.Error):
+        with self.assertRaises(FileNotFoundError):
             ddtool.render(self.swarm(), detector="no.safetensors")
         for arguments in ({"poses": np.zeros((3, 2))}, {"poses": np.zeros((3, 3)), "weights": [1, 2]},
                           {"poses": np.zeros((2, 3)), "weights": [1, -2]}, {"poses": np.zeros((2, 3)), "weights": [0, 0]}):
@@ -222,7 +224,8 @@ class Images(InFolder):
         self.assertEqual(ddtool.Detector("none")(free), 0.0)
         with self.assertRaisesRegex(ddtool.UsageError, "covariance"):
             ddtool.Detector("covarience")
-        self.assertEqual(len(ddtool.Swarm(np.zeros((0, 3)))), 0)
+        nobody = ddtool.Swarm(np.zeros((0, 3)))
+        self.assertEqual((len(nobody), nobody.effective_size, nobody.dispersion), (0, 0.0, 0.0))
 
 
 class DataSets(InFolder):

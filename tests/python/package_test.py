@@ -48,7 +48,8 @@ class Errors(InFolder):
                 (TypeError, "settings: expected numbers", {"settings": {"filter.seed": object()}}),
                 (TypeError, "", {"settings": 3}), (TypeError, "", {"particles": "many"}),
                 (TypeError, "name or a callable", {"detector": 3}), (TypeError, "", {"seed": -1}),
-                (ddtool.Error, "no.safetensors", {"detector": "no.safetensors"})):
+                (ddtool.UsageError, "threads", {"threads": 1025}),
+                (FileNotFoundError, "no.safetensors", {"detector": "no.safetensors"})):
             with self.subTest(**{key: repr(value) for key, value in arguments.items()}):
                 with self.assertRaisesRegex(error, text):
                     ddtool.Slam(**arguments)
