@@ -13,6 +13,7 @@
 #include "ddtool/robot/joined_scans.hpp"
 #include "ddtool/robot/scan_truth.hpp"
 #include "host.hpp"
+#include "logs/stream/log_container.hpp"
 #include "logs/stream/log_inventory.hpp"
 #include "logs/stream/log_settings.hpp"
 #include "logs/stream/topic_readings.hpp"
@@ -79,6 +80,7 @@ public:
     }
 
     [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+    [[nodiscard]] std::shared_ptr<Reading> make_reading() const { return std::make_shared<Reading>(path_, options_); }
     /// The reading that was made to open the log serves the first iteration.
     std::shared_ptr<Reading> begin() {
         if (std::exchange(is_fresh_, false)) {
@@ -93,8 +95,6 @@ public:
     }
 
 private:
-    [[nodiscard]] std::shared_ptr<Reading> make_reading() const { return std::make_shared<Reading>(path_, options_); }
-
     std::filesystem::path path_;
     LogOptions options_;
     std::shared_ptr<Reading> latest_;
@@ -122,8 +122,23 @@ std::shared_ptr<HeldLog> make_log(const py::object& path, const std::optional<py
     return without_gil([&] { return std::make_shared<HeldLog>(file, options); });
 }
 
+/// The odometry of a log that has it in its scans.
+Trajectory odometry_in_scans(Reading& reading) {
+    const std::function<void(double)> watch = watch_for_signals();
+    Trajectory poses;
+    while (const std::shared_ptr<HeldScan> scan = reading.next()) {
+        poses.push_back({scan->frame.scan.stamp_ns, scan->frame.odom_from_robot});
+        watch(0.0);
+    }
+    return poses;
+}
+
 std::shared_ptr<HeldTrajectory> odometry_of(const HeldLog& log, const std::string& topic) {
     const LogSummary summary = log.summary();
+    if (summary.format == name_of(LogContainer::carmen) && topic.empty()) {
+        return without_gil(
+            [&] { return std::make_shared<HeldTrajectory>(HeldTrajectory{odometry_in_scans(*log.make_reading())}); });
+    }
     const bool is_used = topic.empty() || topic == summary.odom_topic;
     const std::string wanted = topic.empty() ? summary.odom_topic : topic;
     if (wanted.empty()) {
@@ -199,7 +214,8 @@ members that count are complete when the iteration has ended.)")
         .def("odometry", &odometry_of, py::arg("topic") = "",
              R"(The odometry as it was recorded, at its own stamps: a Trajectory of odom_from_robot.
 
-topic: another topic of odometry, poses, velocities or transforms. Reads the log to its end.)")
+topic: another topic of odometry, poses, velocities or transforms. In a CARMEN log the odometry is in the scans. Reads the
+log to its end.)")
         .def("imu", &imu_of, py::arg("topic") = "",
              R"(The readings of an inertial sensor, an Imu. Reads the log to its end.
 

@@ -58,6 +58,13 @@ class Logs(InFolder):
         with self.assertRaisesRegex(ddtool.UsageError, "inertial"):
             ddtool.open_log(self.log).imu()
 
+    def test_the_odometry_of_a_carmen_log_is_in_its_scans(self):
+        carmen = self.folder / "a.clf"
+        carmen.write_text("".join(f"FLASER 5 2 2.1 2.2 2.1 2 {x} 0 0 {x} 0 0.1 1{x}.5 host {x}\n" for x in range(4)))
+        odometry = ddtool.open_log(carmen).odometry()
+        np.testing.assert_allclose(odometry.poses, [(x, 0, 0.1) for x in range(4)])
+        np.testing.assert_array_equal(odometry.stamps_ns, [(10 + x) * 10**9 + 5 * 10**8 for x in range(4)])
+
     def test_settings_choose_topics(self):
         log = ddtool.open_log(self.log, settings={"log.odom_topic": "/tf"})
         self.assertEqual(log.odom_topic, "/tf")
