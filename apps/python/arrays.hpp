@@ -1,7 +1,6 @@
 #pragma once
 
 #include <pybind11/numpy.h>
-#include <pybind11/pybind11.h>
 
 #include <span>
 #include <string>
@@ -9,10 +8,9 @@
 
 #include "ddtool/robot/pose2.hpp"
 #include "ddtool/robot/trajectory.hpp"
+#include "py.hpp"
 
 namespace ddtool::python {
-
-namespace py = pybind11;
 
 /// Makes an array read-only, for good where it does not own its memory: NumPy lets nobody change that.
 py::array sealed(py::array array);

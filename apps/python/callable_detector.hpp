@@ -1,11 +1,10 @@
 #pragma once
 
-#include <pybind11/pybind11.h>
-
 #include <exception>
 #include <optional>
 
 #include "ddtool/swarm/degeneracy_detector.hpp"
+#include "py.hpp"
 
 namespace ddtool::python {
 
@@ -14,7 +13,7 @@ namespace ddtool::python {
 /// when the filter is done.
 class CallableDetector {
 public:
-    explicit CallableDetector(pybind11::object callable) : callable_(std::move(callable)) {}
+    explicit CallableDetector(py::object callable) : callable_(std::move(callable)) {}
 
     /// Takes the GIL for the call.
     Degeneracy ask(const ParticleSnapshot& swarm);
@@ -24,12 +23,12 @@ public:
     std::optional<double> take_direction();
 
     /// For Python's search for cycles.
-    [[nodiscard]] const pybind11::object& callable() const { return callable_; }
+    [[nodiscard]] const py::object& callable() const { return callable_; }
     /// Gives up the callable. Must not be asked afterwards.
-    void clear() { callable_ = pybind11::none(); }
+    void clear() { callable_ = py::none(); }
 
 private:
-    pybind11::object callable_;
+    py::object callable_;
     std::exception_ptr failure_;
     std::optional<double> direction_rad_;
 };

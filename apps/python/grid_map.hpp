@@ -1,11 +1,10 @@
 #pragma once
 
-#include <pybind11/pybind11.h>
-
 #include <cstdint>
 #include <memory>
 #include <vector>
 
+#include "py.hpp"
 #include "report/map_raster.hpp"
 
 namespace ddtool::python {
@@ -19,6 +18,6 @@ struct HeldMap {
 };
 
 /// Registers ddtool.Map and ddtool.read_map().
-void add_maps(pybind11::module_& module);
+void add_maps(py::module_& module);
 
 }  // namespace ddtool::python

@@ -1,17 +1,14 @@
 #pragma once
 
-#include <pybind11/pybind11.h>
-
 #include <filesystem>
 #include <optional>
 #include <string>
 #include <utility>
 
 #include "ddtool/system/settings.hpp"
+#include "py.hpp"
 
 namespace ddtool::python {
-
-namespace py = pybind11;
 
 /// Registers ddtool.Error, UsageError and OutputError, and turns the library's exceptions into them.
 void add_errors(py::module_& module);

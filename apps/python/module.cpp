@@ -2,8 +2,8 @@
 
 #include "grid_map.hpp"
 #include "host.hpp"
+#include "run.hpp"
 #include "scan.hpp"
-#include "slam.hpp"
 #include "sources.hpp"
 #include "swarm.hpp"
 #include "trajectory.hpp"

@@ -1,3 +1,5 @@
+#include "run.hpp"
+
 #include <sys/types.h>
 #include <unistd.h>
 
@@ -6,7 +8,6 @@
 #include "ddtool/base/error.hpp"
 #include "ddtool/swarm/swarm_shape.hpp"
 #include "host.hpp"
-#include "slam.hpp"
 #include "system/failure_text.hpp"
 
 namespace ddtool::python {

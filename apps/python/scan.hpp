@@ -1,12 +1,11 @@
 #pragma once
 
-#include <pybind11/pybind11.h>
-
 #include <Eigen/Core>
 #include <memory>
 #include <optional>
 
 #include "ddtool/robot/sensor_stream.hpp"
+#include "py.hpp"
 
 namespace ddtool::python {
 
@@ -17,6 +16,6 @@ struct HeldScan {
 };
 
 /// Registers ddtool.Scan.
-void add_scans(pybind11::module_& module);
+void add_scans(py::module_& module);
 
 }  // namespace ddtool::python

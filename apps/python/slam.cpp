@@ -1,4 +1,4 @@
-#include "slam.hpp"
+#include "run.hpp"
 
 #include <pybind11/stl.h>
 

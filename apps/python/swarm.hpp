@@ -1,13 +1,12 @@
 #pragma once
 
-#include <pybind11/pybind11.h>
-
 #include <cstdint>
 #include <memory>
 #include <span>
 #include <utility>
 
 #include "ddtool/swarm/particle_snapshot.hpp"
+#include "py.hpp"
 
 namespace ddtool::python {
 
@@ -33,6 +32,6 @@ struct HeldSwarm {
 };
 
 /// Registers ddtool.Swarm, ddtool.Detector, and the functions about them.
-void add_swarms(pybind11::module_& module);
+void add_swarms(py::module_& module);
 
 }  // namespace ddtool::python

@@ -1,8 +1,7 @@
 #pragma once
 
-#include <pybind11/pybind11.h>
-
 #include "ddtool/robot/trajectory.hpp"
+#include "py.hpp"
 
 namespace ddtool::python {
 
@@ -12,9 +11,9 @@ struct HeldTrajectory {
 };
 
 /// A trajectory, or the path of a TUM file with one. Throws TypeError for anything else.
-Trajectory trajectory_from(const pybind11::object& value);
+Trajectory trajectory_from(const py::object& value);
 
 /// Registers ddtool.Trajectory and ddtool.score() with its types.
-void add_trajectories(pybind11::module_& module);
+void add_trajectories(py::module_& module);
 
 }  // namespace ddtool::python

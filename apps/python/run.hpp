@@ -1,8 +1,7 @@
 #pragma once
 
-#include <pybind11/pybind11.h>
-
 #include <atomic>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -15,7 +14,9 @@
 #include "ddtool/filter/scan_odometry.hpp"
 #include "ddtool/methods/method.hpp"
 #include "ddtool/robot/scan_truth.hpp"
+#include "ddtool/system/settings.hpp"
 #include "localization/localizer.hpp"
+#include "py.hpp"
 #include "scan.hpp"
 
 namespace ddtool::python {
@@ -110,6 +111,6 @@ private:
 };
 
 /// Registers ddtool.Slam, Localizer, localize(), Update and Standing.
-void add_runs(pybind11::module_& module);
+void add_runs(py::module_& module);
 
 }  // namespace ddtool::python
