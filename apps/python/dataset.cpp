@@ -113,6 +113,7 @@ py::array_t<std::uint8_t> images_of(const Dataset& data, const std::vector<py::s
     merge_dict(json, settings);
     ParticleRenderer renderer(json.get<ImageSettings>());
     std::vector<std::size_t> samples;
+    samples.reserve(indices.size());
     for (const py::ssize_t index : indices) {
         samples.push_back(checked_index(data, index));
     }
@@ -168,10 +169,10 @@ the files. Sample i is row i of the shards one after the other. docs/formats/dat
             "settings", [](const Dataset& data) { return json_to_python(data.manifest().settings); },
             "The settings that the data set was built with.")
         .def("labels", &labels_of, py::arg("rule") = "dispersion",
-             "(N,) int16: 1 degenerate, 0 not, -1 unknown. rule: \"dispersion\" or \"fisher\".")
-        .def("dispersion", &dispersion_of, py::arg("weight") = "log_likelihood",
-             "(N,) The paper's R over a weight: \"log_likelihood\", \"log_likelihood_increment\", \"match_score\" or "
-             "\"weight\".")
+             R"((N,) int16: 1 degenerate, 0 not, -1 unknown. rule: "dispersion" or "fisher".)")
+        .def(
+            "dispersion", &dispersion_of, py::arg("weight") = "log_likelihood",
+            R"((N,) The paper's R over a weight: "log_likelihood", "log_likelihood_increment", "match_score" or "weight".)")
         .def("part", &part_of, py::arg("part"), py::arg("split") = "held_out", py::arg("rule") = "dispersion",
              R"((M,) int64, the samples in a part of a split, in rising order.
 

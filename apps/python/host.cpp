@@ -70,9 +70,13 @@ Json number_from(const py::handle& value) {
         if (overflow == 0) {
             return whole < 0 ? Json(whole) : Json(static_cast<unsigned long long>(whole));
         }
-        return Json(value.cast<unsigned long long>());  // a seed beyond 2^63
+        const unsigned long long seed = PyLong_AsUnsignedLongLong(value.ptr());  // beyond 2^63
+        if (PyErr_Occurred() == nullptr) {
+            return seed;
+        }
+        PyErr_Clear();
     }
-    return Json(value.cast<double>());
+    return value.cast<double>();
 }
 
 /// {"a.b": 1} as {"a": {"b": 1}}.
@@ -92,12 +96,12 @@ void put(Json& json, const std::string& path, Json value) {
 }  // namespace
 
 void add_errors(py::module_& module) {
-    const py::object exception = py::reinterpret_borrow<py::object>(PyExc_Exception);
+    const auto exception = py::reinterpret_borrow<py::object>(PyExc_Exception);
     ErrorTypes& types = error_types();
     types.error =
         new_error(module, "Error",
                   "What ddtool could not do. The text is one line: what, where, and what was expected.", exception);
-    const py::object error = py::reinterpret_borrow<py::object>(types.error);
+    const auto error = py::reinterpret_borrow<py::object>(types.error);
     types.usage = new_error(module, "UsageError", "A wrong argument or setting; also a ValueError.",
                             py::make_tuple(error, py::reinterpret_borrow<py::object>(PyExc_ValueError)));
     types.output = new_error(module, "OutputError", "A file that could not be written; also an OSError.",
@@ -116,9 +120,9 @@ void stop_if_asked() {
 
 std::filesystem::path existing_path(const py::object& path) {
     const py::object text = py::module_::import("os").attr("fspath")(path);
-    const std::filesystem::path found = py::isinstance<py::bytes>(text)
-                                            ? text.cast<std::string>()
-                                            : py::module_::import("os").attr("fsencode")(text).cast<std::string>();
+    std::filesystem::path found = py::isinstance<py::bytes>(text)
+                                      ? text.cast<std::string>()
+                                      : py::module_::import("os").attr("fsencode")(text).cast<std::string>();
     std::error_code failure;
     if (!std::filesystem::exists(found, failure)) {
         errno = failure ? failure.value() : ENOENT;
@@ -140,13 +144,13 @@ Json json_from(const py::handle& value) {
         return {};
     }
     if (PyBool_Check(value.ptr()) != 0) {
-        return Json(value.cast<bool>());
+        return value.cast<bool>();
     }
     if (PyLong_Check(value.ptr()) != 0 || PyFloat_Check(value.ptr()) != 0) {
         return number_from(value);
     }
     if (py::isinstance<py::str>(value)) {
-        return Json(value.cast<std::string>());
+        return value.cast<std::string>();
     }
     if (py::isinstance<py::dict>(value)) {
         Json json = Json::object();
@@ -169,7 +173,7 @@ Json json_from(const py::handle& value) {
         return json_from(value.attr("tolist")());
     }
     if (py::hasattr(value, "__fspath__")) {
-        return Json(value.attr("__fspath__")().cast<std::string>());
+        return value.attr("__fspath__")().cast<std::string>();
     }
     throw py::type_error("settings: expected numbers, text, lists and dicts, not " +
                          py::repr(value).cast<std::string>());

@@ -189,7 +189,7 @@ members that count are complete when the iteration has ended.)")
         .def("__iter__", [](HeldLog& log) { return log.begin(); })
         .def_property_readonly(
             "path", [](const HeldLog& log) { return log.path().string(); }, "The path of the log.")
-        .def_property_readonly("format", of_summary(&LogSummary::format), "\"MCAP\", \"ROS 1 bag\" and so on.")
+        .def_property_readonly("format", of_summary(&LogSummary::format), R"("MCAP", "ROS 1 bag" and so on.)")
         .def_property_readonly("scan_topic", of_summary(&LogSummary::scan_topic), "The topic of the scans.")
         .def_property_readonly("more_scan_topics", of_summary(&LogSummary::more_scan_topics),
                                "The topics of other lidars that are used with it.")
@@ -238,7 +238,7 @@ void add_logs(py::module_& module) {
     py::class_<TopicInventory>(module, "Topic", "A topic of a log.")
         .def_readonly("name", &TopicInventory::topic, "Its name.")
         .def_readonly("type", &TopicInventory::type, "The type of its messages, as the log names it.")
-        .def_readonly("encoding", &TopicInventory::encoding, "Of its messages: \"cdr\", \"ros1\", ...")
+        .def_readonly("encoding", &TopicInventory::encoding, R"(Of its messages: "cdr", "ros1", ...)")
         .def_readonly("messages", &TopicInventory::messages, "How many.")
         .def_readonly("first_ns", &TopicInventory::first_ns, "Earliest time of recording, in nanoseconds.")
         .def_readonly("last_ns", &TopicInventory::last_ns, "Latest time of recording, in nanoseconds.")
@@ -247,7 +247,7 @@ void add_logs(py::module_& module) {
             [](const TopicInventory& topic) {
                 return std::vector<std::string>(topic.frames.begin(), topic.frames.end());
             },
-            "\"laser\", \"odom -> base\"; only of types that ddtool reads.")
+            R"("laser", "odom -> base"; only of types that ddtool reads.)")
         .def_property_readonly("rate_hz", &TopicInventory::rate_hz,
                                "Messages per second; NaN if there are fewer than two.")
         .def("__repr__", [](const TopicInventory& topic) {

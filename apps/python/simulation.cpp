@@ -56,7 +56,7 @@ std::shared_ptr<HeldScan> scan_at(const HeldSimulation& held, py::ssize_t index)
 }
 
 void write_log(const HeldSimulation& held, const py::object& path) {
-    const std::string file = py::module_::import("os").attr("fspath")(path).cast<std::string>();
+    const auto file = py::module_::import("os").attr("fspath")(path).cast<std::string>();
     without_gil([&] {
         sim::write_simulation_log(held.simulation, file, [](std::size_t scans) {
             if (scans % 16 == 0) {

@@ -41,7 +41,8 @@ Poses poses_or_nothing(const py::object& value, py::ssize_t count, const std::st
 /// A number per particle.
 std::vector<double> numbers_of(const py::object& value, py::ssize_t count, double otherwise, const std::string& name) {
     if (value.is_none()) {
-        return std::vector<double>(static_cast<std::size_t>(count), otherwise);
+        std::vector<double> same(static_cast<std::size_t>(count), otherwise);
+        return same;
     }
     const std::string form = "an array of shape (" + std::to_string(count) + ",)";
     const auto numbers = numbers_from(value, 1, 0, name, form);
@@ -267,7 +268,7 @@ it ("filter.gate").)")
                  return std::make_shared<NamedDetector>(name, filter_settings_from_json(json.at("filter")));
              }),
              py::arg("name"), py::kw_only(), py::arg("settings") = py::none(),
-             "name: one of detectors(), or a .safetensors file. settings: those of the group \"filter\".")
+             R"(name: one of detectors(), or a .safetensors file. settings: those of the group "filter".)")
         .def_property_readonly("name", &NamedDetector::name, "The name or file that it was made from.")
         .def(
             "__call__",

@@ -31,7 +31,7 @@ Holder made_trajectory(const py::object& stamps_ns, const py::object& poses) {
     if (given.attr("dtype").attr("kind").cast<std::string>().find_first_of("iu") == std::string::npos) {
         throw UsageError("stamps_ns: expected whole numbers of nanoseconds, shape (poses,)");
     }
-    const Stamps stamps = given.attr("astype")("int64").cast<Stamps>();
+    const auto stamps = given.attr("astype")("int64").cast<Stamps>();
     if (!py::module_::import("numpy").attr("array_equal")(stamps, given).cast<bool>()) {
         throw UsageError("stamps_ns: expected numbers below 2^63");
     }

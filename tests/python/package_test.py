@@ -49,6 +49,8 @@ class Errors(InFolder):
                 (TypeError, "", {"settings": 3}), (TypeError, "", {"particles": "many"}),
                 (TypeError, "name or a callable", {"detector": 3}), (TypeError, "", {"seed": -1}),
                 (ddtool.UsageError, "threads", {"threads": 1025}),
+                (ddtool.UsageError, "filter.seed", {"settings": {"filter.seed": 2**64}}),
+                (ddtool.UsageError, "filter.seed", {"settings": {"filter.seed": -(2**70)}}),
                 (FileNotFoundError, "no.safetensors", {"detector": "no.safetensors"})):
             with self.subTest(**{key: repr(value) for key, value in arguments.items()}):
                 with self.assertRaisesRegex(error, text):
