@@ -2,7 +2,6 @@
 
 #include <filesystem>
 
-#include "ddtool/network/load_model.hpp"
 #include "ddtool/network/network_detector.hpp"
 #include "ddtool/network/shipped_model.hpp"
 #include "train/engine.hpp"
@@ -18,13 +17,7 @@ DetectorTable all_detectors() {
 
 ImageSettings image_seen_by(const std::string& detector) {
     const std::filesystem::path file = detector;
-    if (file.extension() == ".pt") {
-        return train::engine().describe(file).image;
-    }
-    const auto model = file.extension() == ".safetensors"
-                           ? load_model(file)
-                           : shipped_model(is_shipped(detector) ? detector : shipped_model_name);
-    return model->description().image;
+    return file.extension() == ".pt" ? train::engine().describe(file).image : image_seen_natively(detector);
 }
 
 }  // namespace ddtool

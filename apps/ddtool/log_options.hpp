@@ -6,15 +6,9 @@
 #include "command.hpp"
 #include "ddtool/base/error.hpp"
 #include "ddtool/logs/log_stream.hpp"
-#include "system/setting_rows.hpp"
+#include "logs/stream/log_settings.hpp"
 
 namespace ddtool {
-
-/// The description of each setting under "log".
-const std::vector<Setting>& log_setting_list();
-
-/// The defaults of the settings under "log", which every command that reads a log has.
-Json default_log_settings();
 
 inline constexpr const char* log_file_help =
     "The log: MCAP, ROS 1 bag, rosbag2 (folder or .db3) or CARMEN; also compressed or in a tar archive";
@@ -28,9 +22,6 @@ std::string shell_word(const std::string& word);
 /// The options that give these settings under "log", as they are typed, each with a space in front; empty for the
 /// defaults.
 std::string log_options_text(const Json& log_settings);
-
-/// Reads the settings under "log". Throws UsageError naming the key.
-LogOptions log_options(const Json& log_settings);
 
 /// The assumptions that were made about a log, and what could not be read of it, as one line each.
 std::vector<std::string> log_warnings(const LogSummary& summary);

@@ -53,15 +53,6 @@ void write_log(const sim::Simulation& simulation, const std::string& file) {
     });
 }
 
-Trajectory truth_at_scans(const sim::Simulation& simulation) {
-    Trajectory truth;
-    for (std::size_t index = 0; index < simulation.frame_count(); ++index) {
-        const std::int64_t stamp_ns = simulation.stamp_ns(index);
-        truth.push_back({stamp_ns, *pose_at(simulation.truth(), stamp_ns)});
-    }
-    return truth;
-}
-
 Table summary_table(const sim::World& world, const sim::Simulation& simulation) {
     const Trajectory& truth = simulation.truth();
     const Pose2 true_end = between(truth.front().pose, truth.back().pose);
@@ -99,7 +90,7 @@ ExitCode simulate(const SimulateRequest& request, const Json& settings) {
         sim::write_world_picture(request.picture, world, simulation.truth());
     }
     if (!request.truth.empty()) {
-        write_tum(request.truth, truth_at_scans(simulation));
+        write_tum(request.truth, simulation.truth_at_scans());
     }
     if (!request.odometry.empty()) {
         write_tum(request.odometry, simulation.odometry());

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """Checks the modules of lib/: each CMake target's USES names exactly the modules whose headers it includes, all of them
 stand before it in the order of declaration, installed headers include installed headers only, and docs/architecture.md
-lists the modules in that order, and an inner namespace is called like its module. Usage: modules.py SOURCE_DIR"""
+lists the modules in that order, an inner namespace is called like its module, and apps/python links exactly the modules
+that it includes. Usage: modules.py SOURCE_DIR"""
 
 import pathlib
 import re
@@ -81,6 +82,15 @@ def wrong_floors(lib, name, floors):
                     yield f"{path}: includes {include} of a later floor"
 
 
+def wrong_links(app, modules):
+    """The program or package links exactly the modules whose headers it includes."""
+    linked = set(re.findall(r"ddtool::(\w+)", (app / "CMakeLists.txt").read_text()))
+    included = {used.name for path in sorted(app.glob("*.?pp")) for include in INCLUDE.findall(path.read_text())
+                if (used := owner(include, modules))}
+    for name in sorted(linked ^ included):
+        yield f"{app}: {name} is " + ("linked and none of its headers included" if name in linked else "not linked")
+
+
 def main(source_dir):
     lib = source_dir / "lib"
     modules = list(modules_in_order(lib))
@@ -88,6 +98,7 @@ def main(source_dir):
     for index, module in enumerate(modules):
         problems += problems_of(module, {other.name for other in modules[:index]}, modules)
         problems += wrong_namespaces(module, modules)
+    problems += wrong_links(source_dir / "apps" / "python", modules)
     for name, floors in FLOORS.items():
         problems += wrong_floors(lib, name, floors)
     places = {path.name for path in lib.iterdir() if path.is_dir()}

@@ -26,6 +26,15 @@ TEST(MapRaster, HoldsWhatWasObservedAndNoMore) {
     EXPECT_EQ(map.cells, (std::vector<std::int8_t>{f, f, f, o, o, u, u, u}));
 }
 
+TEST(MapRaster, ComesWithTheLogOddsOfItsCells) {
+    const OccupancyGrid grid = grid_with_wall(10, -20);
+    const OccupancySettings steps;
+    const auto free = static_cast<std::int8_t>(-steps.free_step);
+    const auto hit = static_cast<std::int8_t>(steps.hit_step);
+    EXPECT_EQ(log_odds_of(grid, map_raster(grid)),
+              (std::vector<std::int8_t>{free, free, free, hit, hit, Patch::unknown, Patch::unknown, Patch::unknown}));
+}
+
 TEST(MapRaster, MovesWithWhatWasObserved) {
     const MapRaster map = map_raster(grid_with_wall(0, 0));
     const MapRaster moved = map_raster(grid_with_wall(-37, 65));

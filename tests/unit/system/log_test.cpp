@@ -34,6 +34,17 @@ TEST(Log, ShowsWhatItWouldWrite) {
     EXPECT_TRUE(log_shows(LogLevel::info));
 }
 
+TEST(Log, AHostMayTakeTheLinesThatAreShown) {
+    std::string taken;
+    send_log_to([&](LogLevel level, const std::string& line) {
+        taken += std::to_string(static_cast<int>(level)) + line + ";";
+    });
+    EXPECT_EQ(written_at(LogLevel::warning), "");
+    EXPECT_EQ(taken, "2c;3d;");
+    send_log_to({});
+    EXPECT_EQ(written_at(LogLevel::error), "ddtool: error: d\n");
+}
+
 TEST(Log, LevelsHaveNames) {
     EXPECT_EQ(log_level_named("warning"), LogLevel::warning);
     EXPECT_THROW(log_level_named("loud"), UsageError);

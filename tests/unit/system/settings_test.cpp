@@ -72,6 +72,7 @@ TEST(Settings, WrongTypeNamesSourceKeyValueAndWhatWasExpected) {
               "--set: setting 'filter.particles' is \"many\", expected whole number such as 30");
     EXPECT_THAT(refusal("filter.particles=1.5"), HasSubstr("whole number"));
     EXPECT_THAT(refusal("seed=-1"), HasSubstr("from 0 up"));
+    EXPECT_EQ(with("seed=18446744073709551615")["seed"], 18446744073709551615U);
     EXPECT_THAT(refusal("filter=3"), HasSubstr("'filter'"));
     EXPECT_THAT(refusal("filter.adaptive=1"), HasSubstr("boolean"));
 }

@@ -17,6 +17,8 @@ public:
     explicit Dataset(const std::filesystem::path& folder, Check check = Check::sizes);
 
     [[nodiscard]] const Manifest& manifest() const { return manifest_; }
+    /// The files, whose rows one after the other are the samples.
+    [[nodiscard]] const std::vector<MappedShard>& shards() const { return shards_; }
     [[nodiscard]] std::size_t size() const { return places_.size(); }
     [[nodiscard]] const SampleRecord& sample(std::size_t index) const;
     [[nodiscard]] std::span<const SnapshotParticle> particles(std::size_t index) const;

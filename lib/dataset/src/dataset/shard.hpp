@@ -45,6 +45,8 @@ public:
     MappedShard(const std::filesystem::path& folder, const ShardEntry& entry, Check check);
 
     [[nodiscard]] std::span<const SampleRecord> samples() const { return samples_.rows(); }
+    /// Those of all samples.
+    [[nodiscard]] std::span<const SnapshotParticle> particles() const { return particles_.rows(); }
     [[nodiscard]] std::span<const SnapshotParticle> particles(const SampleRecord& sample) const {
         return particles_.rows().subspan(sample.first_particle, sample.particle_count);
     }

@@ -1,5 +1,6 @@
 #include "ddtool/network/shipped_model.hpp"
 
+#include <filesystem>
 #include <map>
 #include <string_view>
 
@@ -30,6 +31,14 @@ bool is_shipped(const std::string& name) { return shipped_bytes().contains(name)
 
 std::unique_ptr<DegreeModel> shipped_model(const std::string& name) {
     return load_model(shipped_bytes().at(name), name);
+}
+
+ImageSettings image_seen_natively(const std::string& detector) {
+    const std::filesystem::path file = detector;
+    const auto model = file.extension() == ".safetensors"
+                           ? load_model(file)
+                           : shipped_model(is_shipped(detector) ? detector : shipped_model_name);
+    return model->description().image;
 }
 
 std::string shipped_model_fingerprint(const std::string& name) {

@@ -1,6 +1,7 @@
 #include "report/map_raster.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace ddtool {
 namespace {
@@ -61,6 +62,19 @@ MapRaster map_raster(const OccupancyGrid& grid) {
         }
     }
     return map;
+}
+
+std::vector<std::int8_t> log_odds_of(const OccupancyGrid& grid, const MapRaster& raster) {
+    const int left = static_cast<int>(std::lround(raster.origin_m.x_m / raster.cell_size_m));
+    const int bottom = static_cast<int>(std::lround(raster.origin_m.y_m / raster.cell_size_m));
+    std::vector<std::int8_t> log_odds;
+    log_odds.reserve(raster.cells.size());
+    for (int y = bottom; y < bottom + static_cast<int>(raster.height); ++y) {
+        for (int x = left; x < left + static_cast<int>(raster.width); ++x) {
+            log_odds.push_back(grid.log_odds({x, y}));
+        }
+    }
+    return log_odds;
 }
 
 }  // namespace ddtool

@@ -35,4 +35,8 @@ std::vector<std::uint8_t> map_pixels(const MapRaster& map);
 /// Never empty: one unknown cell stands for a grid in which nothing was observed, since map servers refuse less.
 MapRaster map_raster(const OccupancyGrid& grid);
 
+/// The log odds of the same cells in steps (OccupancySettings), in the same order; Patch::unknown where nothing was
+/// observed.
+std::vector<std::int8_t> log_odds_of(const OccupancyGrid& grid, const MapRaster& raster);
+
 }  // namespace ddtool

@@ -29,6 +29,15 @@ std::size_t Simulation::frame_count(std::size_t lidar) const {
     return duration_s < 0.0 ? 0 : static_cast<std::size_t>(duration_s * settings_.lidar.rate_hz) + 1;
 }
 
+Trajectory Simulation::truth_at_scans() const {
+    Trajectory truth;
+    for (std::size_t index = 0; index < frame_count(); ++index) {
+        const std::int64_t stamp = stamp_ns(index);
+        truth.push_back({stamp, *pose_at(truth_, stamp)});
+    }
+    return truth;
+}
+
 SimulatedFrame Simulation::frame(std::size_t index, std::size_t lidar) const {
     LaserScan scan = blank_scan(settings_.lidar, stamp_ns(index, lidar));
     const Pose2& robot_from_laser = this->robot_from_laser(lidar);

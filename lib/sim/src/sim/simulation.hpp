@@ -45,6 +45,8 @@ public:
     [[nodiscard]] const SimulationSettings& settings() const { return settings_; }
     /// world_from_robot, every 10 ms.
     [[nodiscard]] const Trajectory& truth() const { return truth_; }
+    /// world_from_robot at the stamps of the first lidar's scans.
+    [[nodiscard]] Trajectory truth_at_scans() const;
     /// odom_from_robot at the odometry's rate; the odom frame is the robot's at the start.
     [[nodiscard]] const Trajectory& odometry() const { return odometry_; }
     /// Empty without an inertial sensor. Only a log has them: the frames are those of the wheels' odometry.

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdlib>
+#include <functional>
 #include <memory>
 #include <utility>
 
@@ -48,6 +49,19 @@ spdlog::logger& logger() {
     return *the_logger;
 }
 
+std::function<void(LogLevel, const std::string&)>& log_taker() {
+    static std::function<void(LogLevel, const std::string&)> taker;
+    return taker;
+}
+
+void write_line(LogLevel level, const std::string& line) {
+    if (!log_taker()) {
+        logger().log(spdlog_level(level), "{}", line);  // not the format itself, because it may contain braces
+    } else if (log_shows(level)) {
+        log_taker()(level, line);
+    }
+}
+
 }  // namespace
 
 void set_log_level(LogLevel level) { logger().set_level(spdlog_level(level)); }
@@ -63,10 +77,11 @@ LogLevel log_level_named(const std::string& name) {
     throw UsageError("--log-level '" + name + "': expected debug, info, warning or error");
 }
 
-// The line is an argument, not the format, because it may contain braces.
-void log_debug(const std::string& line) { logger().debug("{}", line); }
-void log_info(const std::string& line) { logger().info("{}", line); }
-void log_warning(const std::string& line) { logger().warn("{}", line); }
-void log_error(const std::string& line) { logger().error("{}", line); }
+void send_log_to(std::function<void(LogLevel level, const std::string& line)> taker) { log_taker() = std::move(taker); }
+
+void log_debug(const std::string& line) { write_line(LogLevel::debug, line); }
+void log_info(const std::string& line) { write_line(LogLevel::info, line); }
+void log_warning(const std::string& line) { write_line(LogLevel::warning, line); }
+void log_error(const std::string& line) { write_line(LogLevel::error, line); }
 
 }  // namespace ddtool

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 
 namespace ddtool {
@@ -15,6 +16,10 @@ void set_log_level(LogLevel level);
 bool log_shows(LogLevel level);
 /// Returns the level named "debug", "info", "warning" or "error". Throws UsageError for any other name.
 LogLevel log_level_named(const std::string& name);
+
+/// Hands every line that is shown to `taker`, in the place of stderr, on the thread that it comes from. For a host with
+/// a log of its own. Must not be called while other threads write lines.
+void send_log_to(std::function<void(LogLevel level, const std::string& line)> taker);
 
 void log_debug(const std::string& line);
 void log_info(const std::string& line);

@@ -51,7 +51,7 @@ bool fits(const Json& known, const Json& value) {
         return value.is_number();
     }
     if (known.is_number_integer()) {
-        return value.is_number_integer() && (!known.is_number_unsigned() || value >= 0);
+        return value.is_number_integer() && (!known.is_number_unsigned() || value.is_number_unsigned() || value >= 0);
     }
     if (known.is_array() && value.is_array() && !known.empty()) {
         return std::all_of(value.begin(), value.end(), [&](const Json& item) { return fits(known.front(), item); });

@@ -19,6 +19,10 @@ bool is_shipped(const std::string& name);
 /// A new instance of that network. Throws std::out_of_range if none of that name is embedded.
 std::unique_ptr<DegreeModel> shipped_model(const std::string& name = shipped_model_name);
 
+/// How the detector of that name sees a swarm. For an embedded network and one in a .safetensors file these are the
+/// settings of its images; for anything else those of the default method's network. Throws Error as load_model() does.
+ImageSettings image_seen_natively(const std::string& detector);
+
 /// Fingerprint of its bytes. Throws std::out_of_range as above.
 std::string shipped_model_fingerprint(const std::string& name = shipped_model_name);
 

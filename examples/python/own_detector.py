@@ -1,0 +1,28 @@
+"""Ten lines of NumPy in the place of the network: own_detector.py LOG
+
+The degree is the share of the particles' predicted spread that is left after scan matching, along the direction in which
+it is largest."""
+
+import sys
+
+import numpy as np
+
+import ddtool
+
+
+def share_left(swarm: ddtool.Swarm) -> tuple[float, float]:
+    left = np.cov(swarm.matched_motions[:, :2].T)  # (2, 2), m^2, in the robot's frame at the last update
+    predicted = np.cov(swarm.predicted_motions[:, :2].T)
+    variances, axes = np.linalg.eigh(left)  # in rising order
+    weakest = axes[:, -1]
+    drawn = weakest @ predicted @ weakest
+    share = np.sqrt(min(1.0, variances[-1] / drawn)) if drawn > 0.0 else 0.0
+    heading = np.median(swarm.poses[:, 2])  # the direction is reported in the world
+    return float(share), float(heading + np.arctan2(weakest[1], weakest[0]))
+
+
+if __name__ == "__main__":
+    slam = ddtool.Slam(particles=20, seed=1, detector=share_left, settings={"filter.gate": "none"})
+    degrees: list[float] = []
+    slam.run(ddtool.open_log(sys.argv[1]), on_update=lambda update: degrees.append(update.degree))
+    print(f"{len(degrees)} updates, mean degree {np.mean(degrees):.2f}")
