@@ -68,6 +68,19 @@ TEST(InformationFusion, LeavesTheMatchOfARoom) {
     }
 }
 
+/// A quieter lidar holds the robot more firmly against the same odometry.
+TEST(InformationFusion, BelievesAMatchByTheNoiseOfItsBeams) {
+    KnownView view(furnished_room());
+    const Pose2 odometry = view.pose * Pose2{0.004, 0.003, 0.0};
+    const ScanMatch match = view.match_from(view.pose);
+    const auto from_match_m = [&](double factor) {
+        MatchContext context = view.context(view.pose, odometry, 0.004, 0.002);
+        context.information_factor = factor;
+        return distance_m(InformationFusion({}).correct(context, match).pose, match.pose);
+    };
+    EXPECT_LT(from_match_m(5.0), 0.5 * from_match_m(1.0));
+}
+
 TEST(InformationFusion, WithoutAMatchFollowsTheOdometry) {
     KnownView view(furnished_room());
     const Pose2 odometry{50.0, 50.0, 1.0};  // far away from the mapped area

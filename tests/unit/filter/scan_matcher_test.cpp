@@ -146,6 +146,23 @@ TEST(ScanMatcher, SaysTheSameOfAWorldTurnedByQuarters) {
     }
 }
 
+/// Somebody who stands in every fourth beam is not in the map, and must not make the lidar look noisy.
+TEST(ScanMatcher, MeasuresHowFarBeamsLieFromTheirSurfaces) {
+    const View view;
+    const Pose2 beside = view.pose * Pose2{0.04, 0.0, 0.0};
+    const auto misfit_m = [](const ScanMatch& match) { return std::sqrt(match.misfit_m2); };
+    EXPECT_LT(misfit_m(matcher().evaluate(view.grid, view.match_points, view.pose)), 0.004);
+    const double all_m = misfit_m(matcher().evaluate(view.grid, view.match_points, beside));
+    EXPECT_GT(all_m, 0.01);
+    EXPECT_LT(all_m, 0.04);
+    ScanPoints hidden = view.points;
+    for (std::size_t beam = 0; beam < hidden.size(); beam += 4) {
+        hidden.x_m[beam] *= 0.5F;
+        hidden.y_m[beam] *= 0.5F;
+    }
+    EXPECT_NEAR(misfit_m(matcher().evaluate(view.grid, MatchPoints(hidden, cell_m), beside)), all_m, 0.2 * all_m);
+}
+
 TEST(ScanMatcher, LikelihoodFallsWithTheDistance) {
     const View view;
     double before = 1.0;

@@ -42,5 +42,22 @@ TEST(ScanNoise, FollowsALogThatBecomesNoisier) {
     EXPECT_NEAR(noise.weight(0.02), 0.25, 0.01);
 }
 
+TEST(ScanNoise, GivesBeamsTheInformationOfTheirOwnNoise) {
+    EXPECT_NEAR(learnt(0.025, 50).information_factor(0.05), 4.0, 1e-12);
+    EXPECT_NEAR(learnt(0.1, 50).information_factor(0.05), 0.25, 1e-12);
+}
+
+TEST(ScanNoise, BelievesNoBeamMoreThanTheMap) {
+    const double most = learnt(ScanNoise::least_sd_m, 50).information_factor(0.05);
+    EXPECT_EQ(learnt(0.001, 50).information_factor(0.05), most);
+    EXPECT_NEAR(most, 9.77, 0.01);
+}
+
+/// The map is at first made of the scans that lie on it.
+TEST(ScanNoise, BelievesTheAssumptionUntilItHasSeenEnough) {
+    EXPECT_EQ(learnt(0.025, 19).information_factor(0.05), 1.0);
+    EXPECT_NE(learnt(0.025, 20).information_factor(0.05), 1.0);
+}
+
 }  // namespace
 }  // namespace ddtool

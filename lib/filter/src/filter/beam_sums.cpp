@@ -67,6 +67,8 @@ DDTOOL_VECTORISED void add_normal_equations(const BeamArrays& b, std::size_t bea
         total[gy] += weight * d.ny * d.across + w_along * d.nx * d.along;
         total[gt] += weight * across_t * d.across + w_along * along_t * d.along;
         total[total_score] += near_by * weight;
+        total[total_weight] += weight;
+        total[weighted_square] += weight * d.q;
     }
     for (std::size_t k = 0; k < sum_count; ++k) {
         sums[k] = sum_of(total[k]);

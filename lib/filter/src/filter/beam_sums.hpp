@@ -20,8 +20,8 @@ struct BeamArrays {
 };
 
 /// The sums that make up the normal equations of Gauss-Newton: the upper triangle of the Hessian, the gradient, and the
-/// score.
-enum Sum : std::size_t { xx, xy, xt, yy, yt, tt, gx, gy, gt, total_score, sum_count };
+/// score; and of the weights, alone and times q.
+enum Sum : std::size_t { xx, xy, xt, yy, yt, tt, gx, gy, gt, total_score, total_weight, weighted_square, sum_count };
 using Sums = std::array<double, sum_count>;
 
 /// Sets `sums` to the sums over `beams` beams (a multiple of the lane count); c and s are the cosine and sine of the

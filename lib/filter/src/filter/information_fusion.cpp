@@ -57,8 +57,8 @@ ScanMatch InformationFusion::correct(const MatchContext& context, const ScanMatc
     if (matched) {
         // Even in a known map the match is judged against the last motion: what hardly holds the robot beside it is as
         // little to be believed where nothing has held the robot for long.
-        match = credible_information(found.information, context.odometry_information, normal_error_rad,
-                                     context.degeneracy.degree);
+        match = credible_information(context.information_factor * found.information, context.odometry_information,
+                                     normal_error_rad, context.degeneracy.degree);
         apart = offset(context.odometry, found.pose) + offset_without_prior(found, context.predicted, context.prior);
         odometry = cautious(odometry, match, apart, settings_.most_deviations);
     }

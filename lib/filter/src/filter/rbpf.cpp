@@ -249,6 +249,7 @@ void Rbpf::correct(const PreparedScan& scan, const Step& step, const Degeneracy&
                 .odometry_information =
                     predicted_covariance(Eigen::Matrix3d::Zero(), before, step.expected_motion, step.sigmas).inverse(),
                 .degeneracy = degeneracy,
+                .information_factor = beam_noise_.information_factor(settings_.matcher.beam_sigma_m),
                 .pose_information =
                     known_map_ ? std::optional<Eigen::Matrix3d>(particle.covariance.inverse()) : std::nullopt};
             const double matched = particle.match.log_likelihood;
@@ -272,6 +273,7 @@ void Rbpf::learn(const PreparedScan& scan, const Step& step) {
     if (particle.match.accepted() && scan.match_points.beams > 0) {
         noise_.learn(-2.0 * squared(settings_.matcher.beam_sigma_m) * particle.match.log_likelihood /
                      static_cast<double>(scan.match_points.beams));
+        beam_noise_.learn(particle.match.misfit_m2);
     }
     odometry_->learn({.odometry = step.odometry_motion,
                       .duration_s = step.duration_s,

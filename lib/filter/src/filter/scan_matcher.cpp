@@ -57,6 +57,7 @@ ScanMatcher::Normal ScanMatcher::normal_equations(const MatchPoints& points, con
         m * sums[xt], m * sums[yt], m * m * sums[tt];
     normal.match.information *= per_m2;
     normal.match.score = sums[total_score] / static_cast<double>(std::max<std::size_t>(points.beams, 1));
+    normal.match.misfit_m2 = sums[total_weight] > 0.0 ? m * m * sums[weighted_square] / sums[total_weight] : 0.0;
     normal.gradient = per_m2 * m * Eigen::Vector3d(sums[gx], sums[gy], m * sums[gt]);
     return normal;
 }

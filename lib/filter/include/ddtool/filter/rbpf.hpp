@@ -148,7 +148,8 @@ private:
     std::int64_t stamp_at_update_ns_ = 0;
     std::optional<Pose2> odom_at_mapping_;  ///< when a scan last entered the maps
     std::uint64_t updates_ = 0;
-    ScanNoise noise_;
+    ScanNoise noise_;                                       ///< with each beam's distance cut off as in the likelihood
+    ScanNoise beam_noise_;                                  ///< with each beam's weight in the match
     Eigen::Matrix3d covariance_ = Eigen::Matrix3d::Zero();  ///< of the pose at the last update
 };
 

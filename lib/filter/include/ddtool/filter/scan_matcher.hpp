@@ -40,6 +40,9 @@ struct ScanMatch {
     double score = 0.0;  ///< mean over the beams of (1 - q / reach^2)^3; q: squared distance to the mapped surface
     /// Information that the scan gives about the pose (x, y, theta in the world frame; 1/m^2, 1/(m rad), 1/rad^2).
     Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
+    /// Mean of q over the beams, m^2, each with its weight in the match, so that what is not in the map hardly counts;
+    /// 0 if no beam has any.
+    double misfit_m2 = 0.0;
     /// Sum over the beams of log p(z | x, m) = -min(q / (2 sigma^2), reach^2 / (2 sigma^2)), where the second value is
     /// that of a miss. A beam that ends in ground never observed counts as the mean of the others. If it counted as a
     /// miss, every particle that lags behind would gain, since it sees less unknown ground, and corridors would come

@@ -2,19 +2,25 @@
 
 namespace ddtool {
 
-/// How far the end points of a log's scans usually lie from the surfaces of the map, in metres: the lidar's noise and
-/// what the map adds to it. Learnt slowly and from many scans, so that the misfit of the present one, which may come
+/// How far the end points of a log's scans usually lie from the surfaces of the map: the lidar's noise and what the map
+/// adds to it. Learnt slowly and from many scans, so that the misfit of the present one, which may come
 /// from a wrong match, hardly counts.
 class ScanNoise {
 public:
-    /// squared_m2: the mean over the beams of a scan of the squared distance to the map, each cut off as in the
-    /// likelihood
+    /// squared_m2: the mean over the beams of a scan of the squared distance to the map
     void learn(double squared_m2);
 
     /// The factor on the exponent of the likelihood that makes equal evidence weigh alike for every lidar: 1 up to
     /// `full_weight_sd_m`, and beyond it (full_weight_sd_m / sd)^2, as in the likelihood of a normal distribution.
     /// 1 before the first scan, and if `full_weight_sd_m` is 0.
     [[nodiscard]] double weight(double full_weight_sd_m) const;
+    /// The factor on the information of a match that was worked out for beams of the standard deviation
+    /// `assumed_sd_m`, so that it becomes that of beams that err as they do. Beams that hit one surface share the error
+    /// of the map there, so that however little the lidar errs they count as if they erred by least_sd_m. 1 as long as
+    /// too few scans were seen.
+    [[nodiscard]] double information_factor(double assumed_sd_m) const;
+
+    static constexpr double least_sd_m = 0.016;
 
 private:
     double scans_ = 0.0;

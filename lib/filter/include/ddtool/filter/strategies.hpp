@@ -24,6 +24,8 @@ struct MatchContext {
     /// Information about (x, y, theta) in the world that the odometry gives: of its motion since the last update.
     Eigen::Matrix3d odometry_information;
     Degeneracy degeneracy;  ///< of the whole swarm
+    /// Factor on the information of a match: the matcher assumes one noise of the beams for every lidar.
+    double information_factor = 1.0;
     /// In a known map: the information about (x, y, theta) in the world that all before this scan gives, which is less
     /// than that of the odometry's last motion alone.
     std::optional<Eigen::Matrix3d> pose_information = std::nullopt;
