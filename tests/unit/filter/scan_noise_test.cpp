@@ -50,7 +50,7 @@ TEST(ScanNoise, GivesBeamsTheInformationOfTheirOwnNoise) {
 TEST(ScanNoise, BelievesNoBeamMoreThanTheMap) {
     const double most = learnt(ScanNoise::least_sd_m, 50).information_factor(0.05);
     EXPECT_EQ(learnt(0.001, 50).information_factor(0.05), most);
-    EXPECT_NEAR(most, 9.77, 0.01);
+    EXPECT_NEAR(most, 5.17, 0.01);
 }
 
 /// The map is at first made of the scans that lie on it.
