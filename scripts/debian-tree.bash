@@ -17,7 +17,7 @@ make_tree() {
     shift 2
     local IFS=,
     mmdebstrap --quiet --mode=root --variant=minbase --architectures="$architectures" --components=main \
-        --include="$*" --skip=cleanup/apt/lists --aptopt='APT::Install-Recommends "false"' \
+        ${1:+--include="$*"} --skip=cleanup/apt/lists --aptopt='APT::Install-Recommends "false"' \
         --dpkgopt='path-exclude=/usr/share/man/*' --dpkgopt='path-exclude=/usr/share/locale/*' \
         --dpkgopt='path-exclude=/usr/share/doc/*' --dpkgopt='path-include=/usr/share/doc/*/copyright' bookworm "$folder"
 }
