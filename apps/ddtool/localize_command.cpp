@@ -38,8 +38,6 @@ struct LocalizeRequest {
     bool as_json = false;
 };
 
-std::string map_name(const LocalizeRequest& request) { return name_of_results(request.run.log) + "-localized"; }
-
 std::optional<localization::StartPose> start_of(const LocalizeRequest& request) {
     return request.initial_pose.empty()
                ? std::nullopt
@@ -48,6 +46,7 @@ std::optional<localization::StartPose> start_of(const LocalizeRequest& request) 
 
 ExitCode localize(const LocalizeRequest& request, const Json& settings) {
     const auto start = std::chrono::steady_clock::now();
+    const std::string source = source_of(request.run, "localize");
     localization::LocalizationSettings wanted = localization::localization_from_json(settings);
     ThreadPool threads(request.threads);
     const auto truth = std::make_shared<ScanTruth>();
@@ -59,18 +58,26 @@ ExitCode localize(const LocalizeRequest& request, const Json& settings) {
     const auto map = std::make_shared<const OccupancyGrid>(maps::read_any_map(request.map, maps::MapParts::grid).grid);
     wanted.filter.rbpf.grid = map->settings();
     localization::Localizer localizer(wanted.filter.rbpf, wanted.particles, threads, strategies, map, start_pose);
+    const std::unique_ptr<RobotLink> robot = robot_of(request.run);
+    if (robot) {
+        robot->show_fixed_map(map_raster(*map));
+    }
     const std::unique_ptr<Served> served = served_by(request.run);
     LogReport problems;
     const InterruptRequest interrupt;
-    DrivenScans scans(open_run_log(request.run, log_options(settings.at("log")), interrupt, problems),
+    DrivenScans scans(scans_of(request.run, log_options(settings.at("log")), interrupt, problems, robot.get()),
                       wanted.filter.rbpf);
     scans.tell_truth(truth);
-    const OutputFolder output(request.folder, map_name(request));
+    const OutputFolder output(request.folder, name_of_results(source) + "-localized");
     RunFolder folder(output.path(), request.with_snapshots);
     LocalizationCourse course(output.path() / "localization.csv");
     Progress progress("localize", "scans");
+    PlacedScans placed = placed_scans(scans, localizer, robot.get());
     const FilterRun result =
-        run_filter(scans, localizer, [&](const SensorFrame& frame, const std::optional<Update>& update) {
+        run_filter(placed, localizer, [&](const SensorFrame& frame, const std::optional<Update>& update) {
+            if (robot) {
+                robot->add(frame, update, localizer, &localizer.standing());  // first, because it waits for where it is
+            }
             folder.add(frame, update, localizer);
             if (update) {
                 course.add(*update, localizer.standing());
@@ -82,11 +89,14 @@ ExitCode localize(const LocalizeRequest& request, const Json& settings) {
             return !interrupt.made();
         });
     if (result.trajectory.empty()) {
-        throw Error(request.run.log + ": no scans that can be used");
+        throw Error(source + ": no scans that can be used");
     }
     const MapRaster raster = map_raster(result.map);
     if (served) {
         served->run.finish(raster, result.trajectory);
+    }
+    if (robot) {
+        robot->finish(raster, result.trajectory);
     }
     folder.finish(result, raster);
     folder.write_back_end(nullptr);
@@ -94,7 +104,7 @@ ExitCode localize(const LocalizeRequest& request, const Json& settings) {
     folder.write_json("config.json", settings);
     const RunSummary run = run_summary(result, raster, folder.course(), folder.write_s());
     const RunCost cost = run_cost(request.threads, start);
-    const Json log = log_report(request.run.log, scans.summary());
+    const Json log = log_report(source, scans.summary());
     const Json versions = version_report();
     Json about = course.json();
     about["map"] = request.map;
@@ -107,20 +117,25 @@ ExitCode localize(const LocalizeRequest& request, const Json& settings) {
                        {"settings", settings},
                        {"parts", parts_json(wanted.filter.method)},
                        {"log", log},
-                       {"interrupted", interrupt.made()},
+                       {"interrupted", interrupt.made() && !request.run.ros},
                        {"ended_early", result.ended_early},
                        {"run", to_run_json(run)},
                        {"localization", about},
+                       {"robot", robot ? robot->report() : Json()},
                        {"cost", cost}};
     folder.write_json("run.json", results);
-    std::vector<std::string> losses = shortfalls(request.run.log, scans.summary(), interrupt.made(), result);
+    std::vector<std::string> losses = shortfalls(source, scans.summary(), interrupt.made() && !request.run.ros, result);
+    if (robot) {
+        const std::vector<std::string> of_robot = robot->losses();
+        losses.insert(losses.end(), of_robot.begin(), of_robot.end());
+    }
     const std::vector<std::string> doubts = course.doubts();
     losses.insert(losses.end(), doubts.begin(), doubts.end());
     std::vector<std::string> warnings = log_warnings(scans.summary());
     warnings.insert(warnings.end(), losses.begin(), losses.end());
     const bool has_page = folder.write_page([&] {
         return run_page({.command = "ddtool localize",
-                         .log_file = request.run.log,
+                         .log_file = source,
                          .warnings = warnings,
                          .run = result,
                          .map = raster,
@@ -149,7 +164,7 @@ ExitCode localize(const LocalizeRequest& request, const Json& settings) {
 Command localize_command() {
     const auto request = std::make_shared<LocalizeRequest>();
     std::vector<Option> options{{"--map", &request->map, saved_map_help, "FILE", Presence::required}};
-    append_input_options(options, request->run, Presence::required);
+    append_input_options(options, request->run);
     options.insert(
         options.end(),
         {
@@ -170,6 +185,7 @@ Command localize_command() {
         });
     append_log_options(options);
     append_serve_options(options, request->run);
+    append_ros_arguments(options, request->run);
     options.insert(options.end(), {
                                       {"--snapshots", &request->with_snapshots,
                                        "Write snapshots.mcap, too: the particles before each resampling"},

@@ -18,8 +18,6 @@
 #include "methods/settings_json.hpp"
 #include "number_list.hpp"
 #include "output_folder.hpp"
-#include "robot_provider.hpp"
-#include "run/placed_scans.hpp"
 #include "run/run_folder.hpp"
 #include "run/run_page.hpp"
 #include "run/run_summary.hpp"
@@ -36,8 +34,6 @@ namespace {
 
 struct SlamRequest {
     LiveRunRequest run;
-    bool ros = false;
-    std::vector<std::string> ros_arguments;
     std::string map;
     std::string initial_pose;
     std::string folder;
@@ -45,12 +41,6 @@ struct SlamRequest {
     bool with_snapshots = false;
     bool as_json = false;
 };
-
-/// Whether scans enter the map that the filter has.
-bool maps_now(const ParticleFilter& filter) {
-    const auto* const localizer = dynamic_cast<const localization::Localizer*>(&filter);
-    return localizer == nullptr || localizer->is_mapping();
-}
 
 /// Who hears of each scan after the filter.
 struct Listeners {
@@ -68,12 +58,14 @@ FilterRun run_over(DrivenScans& scans, std::unique_ptr<ParticleFilter> filter, c
                    const Listeners& listeners) {
     const auto& [folder, check, recorder, back_end, served, robot] = listeners;
     Progress progress("slam", "scans");
-    PlacedScans placed(scans, *filter,
-                       [&] { return robot != nullptr ? robot->take_initial_pose() : std::optional<Pose2>(); });
-    bool was_mapping = maps_now(*filter);
+    PlacedScans placed = placed_scans(scans, *filter, robot);
+    const auto* const localizer = dynamic_cast<const localization::Localizer*>(filter.get());
+    const auto maps_now = [&] { return localizer == nullptr || localizer->is_mapping(); };
+    bool was_mapping = maps_now();
     FilterRun run = run_filter(placed, *filter, [&](const SensorFrame& frame, const std::optional<Update>& update) {
         if (robot != nullptr) {
-            robot->add(frame, update, *filter);  // first, because it waits for where it is
+            // first, because it waits for where it is
+            robot->add(frame, update, *filter, localizer != nullptr ? &localizer->standing() : nullptr);
         }
         folder.add(frame, update, *filter);
         check.add(frame, update);
@@ -83,7 +75,7 @@ FilterRun run_over(DrivenScans& scans, std::unique_ptr<ParticleFilter> filter, c
                 back_end->add(std::move(*node));
             }
         }
-        if (!was_mapping && maps_now(*filter)) {
+        if (!was_mapping && maps_now()) {
             was_mapping = true;
             recorder.restart();
         }
@@ -164,28 +156,9 @@ std::unique_ptr<ParticleFilter> filter_of(const SlamRequest& request, const Filt
         localization::MapUse::going_on);
 }
 
-/// What the scans come from, as messages and the folder of the results name it.
-std::string source_of(const SlamRequest& request) {
-    if (request.ros != request.run.log.empty()) {
-        throw UsageError("slam: expected --log FILE, or --ros for a robot that is driving now" +
-                         std::string(request.ros ? ", and not both" : ""));
-    }
-    if (request.ros && request.run.follow) {
-        throw UsageError("--follow: expected --log with the file that is being written; a robot is followed anyway");
-    }
-    return request.ros ? "ros" : request.run.log;
-}
-
-std::unique_ptr<LogStream> scans_of(const SlamRequest& request, const LogOptions& options,
-                                    const InterruptRequest& interrupt, LogReport& problems, RobotLink* robot) {
-    return robot != nullptr ? robot->scans(
-                                  options, [&interrupt] { return interrupt.made(); }, problems.handler())
-                            : open_run_log(request.run, options, interrupt, problems);
-}
-
 ExitCode slam(const SlamRequest& request, const Json& settings) {
     const auto start = std::chrono::steady_clock::now();
-    const std::string source = source_of(request);
+    const std::string source = source_of(request.run, "slam");
     FilterSettings filter_settings = filter_settings_from_json(settings.at("filter"));
     std::optional<graph::BackEnd> back_end = back_end_of(settings, filter_settings);
     if (back_end && !request.map.empty()) {
@@ -201,11 +174,11 @@ ExitCode slam(const SlamRequest& request, const Json& settings) {
     detectors.know(truth);
     // The detector is made before the log is opened, because a detector that needs LibTorch starts the command anew.
     std::unique_ptr<ParticleFilter> filter = filter_of(request, filter_settings, detectors, threads, before);
-    const std::unique_ptr<RobotLink> robot = request.ros ? join_robot(request.ros_arguments) : nullptr;
+    const std::unique_ptr<RobotLink> robot = robot_of(request.run);
     const std::unique_ptr<Served> served = served_by(request.run);
     LogReport problems;
     const InterruptRequest interrupt;
-    DrivenScans scans(scans_of(request, log_options(settings.at("log")), interrupt, problems, robot.get()),
+    DrivenScans scans(scans_of(request.run, log_options(settings.at("log")), interrupt, problems, robot.get()),
                       filter_settings.rbpf);
     scans.tell_truth(truth);
     const OutputFolder output(request.folder, name_of_results(source));
@@ -244,7 +217,7 @@ ExitCode slam(const SlamRequest& request, const Json& settings) {
                        {"settings", settings},
                        {"parts", parts_json(filter_settings.method)},
                        {"log", log},
-                       {"interrupted", interrupt.made() && !request.ros},
+                       {"interrupted", interrupt.made() && !request.run.ros},
                        {"ended_early", result.ended_early},
                        {"run", to_run_json(run)},
                        {"self_check", check::self_check_json(verdict, evidence)},
@@ -252,7 +225,7 @@ ExitCode slam(const SlamRequest& request, const Json& settings) {
                        {"back_end", results_of_back_end ? back_end_json(*results_of_back_end) : Json()},
                        {"cost", cost}};
     folder.write_json("run.json", results);
-    std::vector<std::string> losses = shortfalls(source, scans.summary(), interrupt.made() && !request.ros, result);
+    std::vector<std::string> losses = shortfalls(source, scans.summary(), interrupt.made() && !request.run.ros, result);
     if (robot) {
         const std::vector<std::string> of_robot = robot->losses();
         losses.insert(losses.end(), of_robot.begin(), of_robot.end());
@@ -299,15 +272,10 @@ ExitCode slam(const SlamRequest& request, const Json& settings) {
 Command slam_command() {
     const auto request = std::make_shared<SlamRequest>();
     std::vector<Option> options;
-    append_input_options(options, request->run, Presence::optional);
+    append_input_options(options, request->run);
     options.insert(
         options.end(),
         {
-            {.name = "--ros",
-             .value = &request->ros,
-             .help = "Map a robot of ROS 2 that is driving now, until Ctrl-C: its scans, odometry and transforms are "
-                     "read, map -> odom and the map are published",
-             .excludes = "--log"},
             {"--map", &request->map,
              "Go on with this map, a map.ddmap of a run: the robot finds its place in it first, and its origin stays",
              "FILE.ddmap"},
@@ -334,17 +302,10 @@ Command slam_command() {
         });
     append_log_options(options);
     append_serve_options(options, request->run);
-    options.insert(
-        options.end(),
-        {{.name = "--ros-args",
-          .value = &request->ros_arguments,
-          .help = "What a node of ROS 2 takes, up to the end of the line or --: -r FROM:=TO (topics, __ns, __node), "
-                  "-p use_sim_time:=true, -p transform_tolerance:=SECONDS",
-          .type = "WORDS",
-          .needs = "--ros",
-          .takes_rest = true},
-         {"--snapshots", &request->with_snapshots, "Write snapshots.mcap, too: the particles before each resampling"},
-         {"--json", &request->as_json, "Print run.json instead of a summary"}});
+    append_ros_arguments(options, request->run);
+    options.insert(options.end(), {{"--snapshots", &request->with_snapshots,
+                                    "Write snapshots.mcap, too: the particles before each resampling"},
+                                   {"--json", &request->as_json, "Print run.json instead of a summary"}});
     return {.name = "slam",
             .summary = "Map and trajectory from a log",
             .example = "ddtool slam --log run.mcap",

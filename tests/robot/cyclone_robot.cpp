@@ -1,5 +1,5 @@
 // Plays a log as a robot that drives now, with the DDS of another maker than ddtool's, and tells as JSON what came back
-// from ddtool slam --ros:
+// from ddtool slam --ros or ddtool localize --ros:
 //   cyclone_robot LOG.mcap DOMAIN SECONDS [FAULT...]
 // Each scan and each pose of the odometry is published when its time has come, with a stamp of now. Faults:
 //   pause=AT:FOR     nothing is published for so long
@@ -7,7 +7,9 @@
 //   jump=AT:BY       from then on all stamps are BY seconds later
 //   restart=AT       the robot's programs end and start again, and its odometry begins at zero
 //   pose=AT:X:Y      somebody tells the robot's place on /initialpose
+//   carry=AT:FOR     the robot is carried to where it would be FOR seconds later, and its odometry notices nothing
 //   clock            /clock is published, and stamps are those of the log
+//   speed=FACTOR     with clock: everything happens so many times as fast
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -86,7 +88,38 @@ struct Step {
 struct Played {
     std::vector<Step> steps;
     std::optional<RosTFMessage> mounting;
+    std::map<std::int64_t, Pose2> truth;  ///< where the robot is, by the stamps of the log, from its place at the start
 };
+
+/// Leaves out what happens while the robot is carried, and goes on with the odometry from where it was.
+void carry(Played& played, double at_s, double for_s) {
+    const std::int64_t from_ns = played.steps.front().stamp_ns + static_cast<std::int64_t>(1e9 * at_s);
+    const std::int64_t left_out_ns = static_cast<std::int64_t>(1e9 * for_s);
+    std::erase_if(played.steps,
+                  [&](const Step& step) { return step.stamp_ns > from_ns && step.stamp_ns <= from_ns + left_out_ns; });
+    std::optional<Pose2> before;
+    std::optional<Pose2> after;
+    for (Step& step : played.steps) {
+        const std::optional<Pose2> logged =
+            step.odometry ? std::optional(to_pose2(to_isometry(step.odometry->pose))) : std::nullopt;
+        if (step.stamp_ns <= from_ns) {
+            before = logged ? logged : before;
+            continue;
+        }
+        step.stamp_ns -= left_out_ns;
+        if (logged) {
+            after = after ? after : logged;
+            step.odometry->pose = to_ros_pose(before.value() * between(*after, *logged));
+        }
+    }
+    std::map<std::int64_t, Pose2> truth;
+    for (const auto& [stamp_ns, pose] : played.truth) {
+        if (stamp_ns <= from_ns || stamp_ns > from_ns + left_out_ns) {
+            truth[stamp_ns <= from_ns ? stamp_ns : stamp_ns - left_out_ns] = pose;
+        }
+    }
+    played.truth = std::move(truth);
+}
 
 Played read_log(const Request& request) {
     Played played;
@@ -102,6 +135,10 @@ Played read_log(const Request& request) {
         } else if (topic == "/odom") {
             step.odometry = decode_cdr<RosOdometry>(message->data);
             step.stamp_ns = step.odometry.value().header.stamp.ns;
+        } else if (topic == "/ground_truth") {
+            const auto pose = decode_cdr<RosOdometry>(message->data);
+            played.truth[pose.value().header.stamp.ns] = to_pose2(to_isometry(pose->pose));
+            continue;
         } else if (topic == "/tf_static") {
             played.mounting = decode_cdr<RosTFMessage>(message->data);
             continue;
@@ -111,6 +148,13 @@ Played read_log(const Request& request) {
         played.steps.push_back(std::move(step));
     }
     std::ranges::stable_sort(played.steps, {}, &Step::due_ns);
+    const Pose2 start = played.truth.empty() ? Pose2{} : played.truth.begin()->second;
+    for (auto& [stamp_ns, pose] : played.truth) {
+        pose = between(start, pose);
+    }
+    if (const Fault* const carried = request.fault("carry")) {
+        carry(played, carried->numbers.at(0), carried->numbers.at(1));
+    }
     const std::int64_t end_ns = played.steps.front().stamp_ns + static_cast<std::int64_t>(1e9 * request.seconds);
     std::erase_if(played.steps, [&](const Step& step) { return step.stamp_ns > end_ns; });
     return played;
@@ -258,6 +302,7 @@ public:
         });
         pose_.take([&](const auto& message) {
             ++poses_;
+            stamp_ns_ = time_of(message.header.stamp);
             x_m_ = message.pose.position.x;
             y_m_ = message.pose.position.y;
             has_covariance_ = has_covariance_ || message.covariance[0] > 0.0;
@@ -274,6 +319,9 @@ public:
             }
         });
     }
+
+    /// The stamp of the latest pose.
+    [[nodiscard]] std::int64_t pose_stamp_ns() const { return stamp_ns_; }
 
     [[nodiscard]] Json report() const {
         std::vector<double> latencies = latencies_s_;
@@ -333,6 +381,7 @@ private:
     MapSeen seen_;
     std::size_t transforms_ = 0;
     std::size_t poses_ = 0;
+    std::int64_t stamp_ns_ = 0;
     double x_m_ = 0.0;
     double y_m_ = 0.0;
     bool has_covariance_ = false;
@@ -350,7 +399,11 @@ public:
           played_(std::move(played)),
           participant_(request.domain),
           robot_(std::make_unique<Robot>(participant_)),
-          listener_(participant_) {}
+          listener_(participant_) {
+        if (const Fault* const speed = request.fault("speed")) {
+            speed_ = speed->numbers.at(0);
+        }
+    }
 
     Json run() {
         const double waited_s = meet();
@@ -366,6 +419,7 @@ public:
         report["matched_after_s"] = waited_s;
         report["scans_sent"] = scans_;
         report["late_map"] = late_map();
+        report["true_pose"] = true_pose();
         return report;
     }
 
@@ -389,6 +443,13 @@ private:
         return waited_s;
     }
 
+    /// Where the robot was at the latest pose that it was told, from its place at the start.
+    [[nodiscard]] Json true_pose() const {
+        const std::int64_t since_ns = listener_.pose_stamp_ns() - stamp_of(played_.steps.front(), 0.0);
+        const auto found = played_.truth.lower_bound(played_.steps.front().stamp_ns + since_ns);
+        return found == played_.truth.end() ? Json() : Json{found->second.x_m, found->second.y_m};
+    }
+
     [[nodiscard]] double time_s(std::int64_t log_ns) const {
         return 1e-9 * static_cast<double>(log_ns - played_.steps.front().stamp_ns);
     }
@@ -400,7 +461,7 @@ private:
 
     void play(const Step& step) {
         const double now_s = time_s(step.due_ns());
-        wait_until(start_ + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(now_s)));
+        wait_until(start_ + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(now_s / speed_)));
         if (is_within("pause", now_s)) {
             return;
         }
@@ -484,6 +545,7 @@ private:
     CycloneParticipant participant_;
     std::unique_ptr<Robot> robot_;
     Listener listener_;
+    double speed_ = 1.0;
     Clock::time_point start_;
     std::int64_t started_ns_ = 0;
     std::size_t scans_ = 0;

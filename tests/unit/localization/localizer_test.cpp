@@ -122,6 +122,27 @@ TEST(Localizer, NoticesBeingCarriedAway) {
     EXPECT_GT(after.back().standing.probability, 0.9);
 }
 
+/// The robot is lifted into the other room, and somebody tells it so while it stands there.
+TEST(Localizer, BeginsAnewWhereItIsTold) {
+    const auto frames = std::span(rooms_drive());
+    const auto carried_to = static_cast<std::size_t>(
+        std::ranges::find_if(frames, [](const SensorFrame& frame) { return frame.world_from_robot->x_m > 11.0; }) -
+        frames.begin());
+    Localization one(rooms_map(), StartPose{.pose = {}});
+    one.over(frames.first(20));
+    const Pose2 moved = frames[19].odom_from_robot * inverse(frames[carried_to].odom_from_robot);
+    const Pose2 truth = *frames[carried_to].world_from_robot;
+    one.localizer().expect_at({.pose = {truth.x_m + 0.3, truth.y_m - 0.2, truth.theta_rad + 0.1}});
+    const auto after = one.over(frames.subspan(carried_to), moved);
+    ASSERT_FALSE(after.empty());
+    for (std::size_t i = 0; i < after.size(); ++i) {
+        EXPECT_LT(after[i].error_m, i == 0 ? 0.3 : 0.1) << i;
+        EXPECT_EQ(after[i].standing.place, PlaceState::found) << i;
+        EXPECT_FALSE(after[i].standing.searched) << i;
+    }
+    EXPECT_EQ(one.localizer().trajectory().size(), 20U + frames.size() - carried_to);
+}
+
 TEST(Localizer, TheCovarianceGrowsAlongACorridor) {
     const auto map = true_map(drive(test::long_corridor(), 1));
     const std::vector<SensorFrame> frames = drive(test::long_corridor(), 3);

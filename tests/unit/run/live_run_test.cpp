@@ -42,6 +42,24 @@ TEST(LiveRun, TellsEveryScanAndShowsTheMapFromTheStartToTheEnd) {
     EXPECT_EQ(last->data, map.cells);
 }
 
+TEST(LiveRun, ShowsAFixedMapOnceAndThePathAsItGrows) {
+    KeptMessages told;
+    LiveRun live(told, RunMessages::Reader::robot);
+    MapRaster map;
+    map.width = map.height = 1;
+    map.cells = {MapRaster::occupied};
+    live.show_fixed_map(1, map);
+    test::SmallRun small;
+    const FilterRun run = small.run([&](const SensorFrame& frame, const std::optional<Update>& update) {
+        live.add(frame, update, small.filter());
+        return true;
+    });
+    live.finish(map_raster(run.map), run.trajectory);
+    ASSERT_EQ(told.topics["/map"].size(), 1U);
+    EXPECT_EQ(decode_cdr<RosOccupancyGrid>(told.topics["/map"].front())->data, map.cells);
+    EXPECT_GE(told.topics["/path"].size(), 2U);
+}
+
 TEST(LiveRun, GivesARobotNeitherItsScansNorItsTransforms) {
     KeptMessages told;
     LiveRun live(told, RunMessages::Reader::robot);

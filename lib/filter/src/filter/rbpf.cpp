@@ -68,6 +68,7 @@ void Rbpf::place(std::span<const Hypothesis> hypotheses, double kept_share) {
     const PathRecord::Node past = particles_.empty() ? PoseHistory::none : best().past;
     const double exponent = gain();
     std::vector<Particle> next;
+    placed_anew_ = kept_share == 0.0;
     if (kept_share > 0.0) {
         const std::vector<double> weights = weights_by_likelihood(particles_, exponent);
         for (std::size_t index = 0; index < particles_.size(); ++index) {
@@ -108,7 +109,8 @@ void Rbpf::map_on() {
 }
 
 std::optional<Update> Rbpf::update(const SensorFrame& frame) {
-    const bool first = updates_ == 0;
+    const bool first = updates_ == 0 || placed_anew_;
+    placed_anew_ = false;
     const Pose2 odometry_motion = first ? Pose2{} : between(odom_at_update_, frame.odom_from_robot);
     const double share = motion_share(odometry_motion, settings_);
     if (!first && share < 1.0) {
@@ -123,7 +125,7 @@ std::optional<Update> Rbpf::update(const SensorFrame& frame) {
         start(frame.odom_from_robot);
         update.matched = update.corrected = snapshot(frame, odometry_motion);
     } else {
-        const Step step = step_to(frame, odometry_motion);
+        const Step step = step_to(frame, odometry_motion, first);
         timed(times.match_s, [&] { propagate(step); });
         timed(times.match_s, [&] { match(scan, step); });
         reweight();
@@ -143,8 +145,8 @@ std::optional<Update> Rbpf::update(const SensorFrame& frame) {
     return update;
 }
 
-Rbpf::Step Rbpf::step_to(const SensorFrame& frame, const Pose2& odometry_motion) const {
-    const double duration_s = updates_ == 0 ? 0.0 : step_duration_s(stamp_at_update_ns_, frame.scan.stamp_ns);
+Rbpf::Step Rbpf::step_to(const SensorFrame& frame, const Pose2& odometry_motion, bool first) const {
+    const double duration_s = first ? 0.0 : step_duration_s(stamp_at_update_ns_, frame.scan.stamp_ns);
     const Pose2 expected_motion = odometry_->expected(odometry_motion, duration_s);
     return {.odometry_motion = odometry_motion,
             .duration_s = duration_s,

@@ -62,6 +62,20 @@ Localizer::Localizer(const RbpfSettings& settings, const ModeResamplingSettings&
     if (map_->observed_box().empty()) {
         throw Error("the map is empty: nothing in it was observed");
     }
+    if (start) {
+        trust_.told();
+    }
+}
+
+void Localizer::expect_at(const StartPose& place) {
+    start_ = place;
+    started_ = false;
+    complete_ = true;
+    sure_m_ = 0.0;
+    since_search_m_ = 0.0;
+    search_every_m_ = first_interval_m;
+    watch_.restart(lost_at_given_start);
+    trust_.told();
 }
 
 std::optional<Update> Localizer::update(const SensorFrame& frame) {
@@ -102,6 +116,8 @@ std::optional<Update> Localizer::update(const SensorFrame& frame) {
     }
     // Where a search could not follow up every place, the right one may not be among them.
     standing_.probability = (1.0 - standing_.lost) * standing_.mode_weight * (complete_ ? 1.0 : 0.5);
+    trust_.add(standing_.probability, standing_.lost);
+    standing_.place = trust_.state();
     sure_m_ = standing_.probability >= sure_to_map ? sure_m_ + way_m : 0.0;
     if (use_ == MapUse::going_on && sure_m_ >= sure_way_m) {
         filter_.map_on();

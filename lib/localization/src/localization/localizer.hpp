@@ -9,6 +9,7 @@
 #include "localization/global_search.hpp"
 #include "localization/lost_watch.hpp"
 #include "localization/mode_resampling.hpp"
+#include "localization/place_trust.hpp"
 
 namespace ddtool::localization {
 
@@ -29,6 +30,7 @@ struct Standing {
     std::size_t particles = 0;  ///< before resampling
     double support = 0.0;       ///< the share of the scan that the map explains at the pose
     bool searched = false;      ///< whether the whole map was searched in this update
+    PlaceState place = PlaceState::searching;
 };
 
 /// What becomes of the map once the robot is surely found.
@@ -48,6 +50,10 @@ public:
     Localizer(const RbpfSettings& settings, const ModeResamplingSettings& particles, ThreadPool& threads,
               FilterStrategies strategies, std::shared_ptr<const OccupancyGrid> map, std::optional<StartPose> start,
               MapUse use = MapUse::fixed);
+
+    /// The robot is here at the next frame, as somebody has told who sees it. The particles begin anew about this
+    /// place, but what was learnt of the odometry and of the map stays. Not while mapping.
+    void expect_at(const StartPose& place);
 
     std::optional<Update> update(const SensorFrame& frame) override;
 
@@ -79,6 +85,7 @@ private:
     Rbpf filter_;
     GlobalSearch search_;
     LostWatch watch_;
+    PlaceTrust trust_;
     Standing standing_;
     bool started_ = false;
     bool complete_ = true;  ///< whether the last search found all places that fit

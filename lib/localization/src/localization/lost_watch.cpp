@@ -36,6 +36,8 @@ double log_odds_of(double probability) { return std::log(probability / (1.0 - pr
 LostWatch::LostWatch(double probability)
     : log_odds_(log_odds_of(probability)), usual_(assumed_usual), scans_(assumed_scans) {}
 
+void LostWatch::restart(double probability) { log_odds_ = log_odds_of(probability); }
+
 double LostWatch::probability() const { return 1.0 / (1.0 + std::exp(-log_odds_)); }
 
 void LostWatch::add(double support, double way_m) {

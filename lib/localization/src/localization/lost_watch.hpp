@@ -10,6 +10,9 @@ public:
     /// \param probability before the first scan
     explicit LostWatch(double probability);
 
+    /// The robot is taken to be somewhere else, and lost there with this probability.
+    void restart(double probability);
+
     /// Takes in a scan.
     /// \param way_m driven since the last one
     void add(double support, double way_m);

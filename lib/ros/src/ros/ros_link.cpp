@@ -1,17 +1,21 @@
 #include "ros/ros_link.hpp"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <chrono>
+#include <cmath>
 #include <cstdlib>
 #include <deque>
 #include <mutex>
+#include <numbers>
 #include <set>
 #include <thread>
 #include <utility>
 
 #include "base/text.hpp"
 #include "ddtool/base/error.hpp"
+#include "localization/localizer.hpp"
 #include "logs/messages/ros_codec.hpp"
 #include "logs/messages/ros_conversions.hpp"
 #include "logs/stream/message_log_stream.hpp"
@@ -63,6 +67,24 @@ std::int64_t system_now_ns() {
         .count();
 }
 
+/// The deviations of a pose that somebody told, from its covariance: at least what a hand on a screen can tell, and
+/// where the message says nothing, the usual ones.
+localization::StartPose start_pose_of(const Pose2& map_from_robot, const std::array<double, 36>& covariance) {
+    constexpr double least_sd_m = 0.1;
+    constexpr double least_sd_rad = 0.05;
+    constexpr std::size_t x = 0;
+    constexpr std::size_t y = 7;
+    constexpr std::size_t yaw = 35;
+    localization::StartPose start{.pose = map_from_robot};
+    if (const double variance = std::max(covariance[x], covariance[y]); variance > 0.0 && std::isfinite(variance)) {
+        start.sd_m = std::max(least_sd_m, std::sqrt(variance));
+    }
+    if (const double variance = covariance[yaw]; variance > 0.0 && std::isfinite(variance)) {
+        start.sd_rad = std::clamp(std::sqrt(variance), least_sd_rad, std::numbers::pi);
+    }
+    return start;
+}
+
 /// Publishes what the filter makes. Its stamps are those that the filter got, in which jumps of the robot's clock are
 /// taken out; they are put back.
 class RobotTopics : public Ros2Sink {
@@ -71,10 +93,15 @@ public:
 
     /// What has been added to the stamps that the filter gets.
     void set_offset(std::int64_t offset_ns) { offset_ns_ = offset_ns; }
+    /// A pose that others must not rely on is not published.
+    void set_pose_is_known(bool is_known) { pose_is_known_ = is_known; }
 
 protected:
     void put(const std::string& topic, const char* type_name, std::int64_t stamp_ns,
              std::span<const std::byte> data) override {
+        if (topic == "/pose" && !pose_is_known_) {
+            return;
+        }
         message_.assign(data.begin(), data.end());
         if (offset_ns_ != 0) {
             set_first_stamp(message_, stamp_ns - offset_ns_);
@@ -89,10 +116,11 @@ private:
     DdsNode& node_;
     const RosArguments& arguments_;
     std::int64_t offset_ns_ = 0;
+    bool pose_is_known_ = true;
     std::vector<std::byte> message_;
 };
 
-/// The latest transforms from the map to the robot, which are sent again and again.
+/// The latest transforms between the map and the robot, which are sent again and again.
 struct SentTransforms {
     RosTFMessage message;  ///< stamped anew each time it is sent
     std::chrono::steady_clock::time_point sent;
@@ -105,6 +133,8 @@ struct Progress {
     double degree = 0.0;
     double latency_median_s = 0.0;
     double latency_high_s = 0.0;
+    std::optional<localization::Standing> standing;  ///< of a robot in a map of before
+    std::size_t withdrawals = 0;                     ///< how often map -> odom was sent no more
 };
 
 class RosLink : public RobotLink {
@@ -151,13 +181,20 @@ public:
         return stream;
     }
 
-    std::optional<Pose2> take_initial_pose() override {
+    void show_fixed_map(const MapRaster& map) override {
+        map_is_fixed_ = true;
+        live_.show_fixed_map(clock_now_ns(), map);
+    }
+
+    std::optional<localization::StartPose> take_initial_pose() override {
         const std::lock_guard lock(mutex_);
         return std::exchange(initial_pose_, std::nullopt);
     }
 
-    void add(const SensorFrame& frame, const std::optional<Update>& update, const ParticleFilter& filter) override {
-        send_transforms(frame, filter.pose());
+    void add(const SensorFrame& frame, const std::optional<Update>& update, const ParticleFilter& filter,
+             const localization::Standing* standing) override {
+        const bool is_found = note_place(standing);
+        send_transforms(frame, is_found ? std::optional(filter.pose()) : std::nullopt);
         note_latency(frame.scan.stamp_ns);
         {
             const std::lock_guard lock(mutex_);
@@ -166,6 +203,7 @@ public:
             progress_.degree = update ? update->degeneracy.degree : progress_.degree;
         }
         topics_.set_offset(stamps_.offset_of(first_scan_topic_));
+        topics_.set_pose_is_known(is_found);
         live_.add(frame, update, filter);
     }
 
@@ -190,6 +228,7 @@ public:
             {"scans_passed_over", messages_.passed_over()},
             {"silences", silence_.silences()},
             {"clock_jumps", clock_jumps_},
+            {"transform_withdrawals", progress_.withdrawals},
             {"latency_s",
              {{"median", latency_.quantile_s(0.5)}, {"p99", latency_.quantile_s(0.99)}, {"scans", latency_.count()}}}};
     }
@@ -326,7 +365,7 @@ private:
         log_info(topic + ": the robot is taken to be at " + fixed_text(map_from_robot.x_m, 2) + ", " +
                  fixed_text(map_from_robot.y_m, 2) + " m, " + fixed_text(map_from_robot.theta_rad, 2) + " rad");
         const std::lock_guard lock(mutex_);
-        initial_pose_ = map_from_robot;
+        initial_pose_ = start_pose_of(map_from_robot, message->covariance);
     }
 
     /// Takes jumps of the clock out of the stamps. Runs on the filter's thread, before a message is given to it.
@@ -400,14 +439,40 @@ private:
         progress_.latency_high_s = latency_.quantile_s(0.99);
     }
 
-    void send_transforms(const SensorFrame& frame, const Pose2& map_from_robot) {
+    /// Notes what is known about being in the right place, and says when that changes. Returns whether others may rely
+    /// on the pose.
+    bool note_place(const localization::Standing* standing) {
+        if (standing == nullptr) {
+            return true;
+        }
+        using localization::PlaceState;
+        const std::lock_guard lock(mutex_);
+        const PlaceState before = progress_.standing ? progress_.standing->place : PlaceState::searching;
+        progress_.standing = *standing;
+        const bool is_found = standing->place == PlaceState::found;
+        if (is_found && before != PlaceState::found) {
+            log_info("the robot is found in the map: map -> odom is published from now on");
+        } else if (!is_found && before == PlaceState::found) {
+            ++progress_.withdrawals;
+            log_warning(std::string(standing->place == PlaceState::lost
+                                        ? "the robot is lost: its scans do not fit the map where it seemed to be"
+                                        : "the robot may be at one of several places that fit alike") +
+                        "; map -> odom is not published until it is found again");
+        }
+        return is_found;
+    }
+
+    /// Without map_from_robot, what connects the map with the robot is not sent, and not sent again.
+    void send_transforms(const SensorFrame& frame, const std::optional<Pose2>& map_from_robot) {
         const LogSummary& log = stream_->summary();
         const std::optional<Pose2> raw = odometry_.at(frame.scan.stamp_ns, log);
         const Pose2 odom_from_robot = raw.value_or(frame.odom_from_robot);
         const std::string odom_frame = log.odom_frame.empty() ? "odom" : log.odom_frame;
         const std::int64_t stamp_ns = frame.scan.stamp_ns - stamps_.offset_of(first_scan_topic_) + tolerance_ns();
-        RosTFMessage message =
-            transform_message(stamp_ns, map_frame, odom_frame, map_from_robot * inverse(odom_from_robot));
+        RosTFMessage message;
+        if (map_from_robot) {
+            message = transform_message(stamp_ns, map_frame, odom_frame, *map_from_robot * inverse(odom_from_robot));
+        }
         if (!raw) {
             // Nobody publishes an odometry, so that what was worked out from the scans stands for it.
             const std::string robot_frame = log.robot_frame.empty() ? "base_link" : log.robot_frame;
@@ -415,7 +480,9 @@ private:
                 transform_message(stamp_ns, odom_frame, robot_frame, odom_from_robot).transforms.front());
         }
         const std::lock_guard lock(mutex_);
-        write_transforms(message);
+        if (!message.transforms.empty()) {
+            write_transforms(message);
+        }
         sent_ = {std::move(message), std::chrono::steady_clock::now()};
     }
 
@@ -426,6 +493,11 @@ private:
 
     [[nodiscard]] std::int64_t tolerance_ns() const {
         return static_cast<std::int64_t>(1e9 * arguments_.transform_tolerance_s);
+    }
+
+    /// What time it is, as nodes of ROS 2 take it.
+    [[nodiscard]] std::int64_t clock_now_ns() const {
+        return arguments_.use_sim_time ? clock_.now_ns(steady_now_ns()) : system_now_ns();
     }
 
     void run_timer(const std::stop_token& stop) {
@@ -483,24 +555,11 @@ private:
 
     void tell_diagnostics() {
         RosDiagnosticStatus status;
-        status.name = arguments_.node + ": slam";
-        status.hardware_id = "none";
-        const std::size_t passed = messages_.passed_over();
         {
             const std::lock_guard lock(mutex_);
-            const bool is_falling_behind = passed > told_passed_over_;
+            const std::size_t passed = messages_.passed_over();
+            status = judged(passed > told_passed_over_);
             told_passed_over_ = passed;
-            const bool is_waiting = progress_.frames == 0;
-            const bool is_degenerate = progress_.degree >= degenerate_degree;
-            const bool is_silent = !is_waiting && silence_.is_silent(0);
-            status.level = is_waiting || is_silent              ? RosDiagnosticStatus::stale
-                           : is_falling_behind || is_degenerate ? RosDiagnosticStatus::warning
-                                                                : RosDiagnosticStatus::ok;
-            status.message = is_waiting          ? "waiting for scans"
-                             : is_silent         ? "no scans come"
-                             : is_degenerate     ? "the scans do not determine the pose"
-                             : is_falling_behind ? "scans are passed over"
-                                                 : "mapping";
             const auto ms = [](double seconds) { return fixed_text(1e3 * seconds, 1); };
             status.values = {{"scans received", std::to_string(messages_.scans())},
                              {"scans passed over", std::to_string(passed)},
@@ -509,10 +568,52 @@ private:
                              {"latency median ms", ms(progress_.latency_median_s)},
                              {"latency p99 ms", ms(progress_.latency_high_s)},
                              {"clock jumps", std::to_string(clock_jumps_)}};
+            if (const auto& standing = progress_.standing) {
+                status.values.insert(
+                    status.values.end(),
+                    {{"probability of the pose", fixed_text(standing->probability, 3)},
+                     {"probability of being lost", fixed_text(standing->lost, 3)},
+                     {"weight of the pose's place", fixed_text(standing->mode_weight, 3)},
+                     {"places that fit", std::to_string(standing->modes)},
+                     {"share of the scan in the map", fixed_text(standing->support, 3)},
+                     {"map -> odom", standing->place == localization::PlaceState::found ? "published" : "withheld"}});
+            }
         }
-        const std::int64_t now_ns = arguments_.use_sim_time ? clock_.now_ns(steady_now_ns()) : system_now_ns();
+        status.name = arguments_.node + (map_is_fixed_ ? ": localization" : ": slam");
+        status.hardware_id = "none";
         node_.write("/diagnostics", RosDiagnosticArray::type_name, event_qos,
-                    encode_cdr(RosDiagnosticArray{{{now_ns}, ""}, {status}}));
+                    encode_cdr(RosDiagnosticArray{{{clock_now_ns()}, ""}, {status}}));
+    }
+
+    /// The level and the message of the diagnostics. The mutex must be held.
+    [[nodiscard]] RosDiagnosticStatus judged(bool is_falling_behind) const {
+        using localization::PlaceState;
+        const auto as = [](std::uint8_t level, const char* message) {
+            return RosDiagnosticStatus{.level = level, .name = "", .message = message, .hardware_id = "", .values = {}};
+        };
+        if (progress_.frames == 0) {
+            return as(RosDiagnosticStatus::stale, "waiting for scans");
+        }
+        if (silence_.is_silent(0)) {
+            return as(RosDiagnosticStatus::stale, "no scans come");
+        }
+        switch (progress_.standing ? progress_.standing->place : PlaceState::found) {
+            case PlaceState::searching:
+                return as(RosDiagnosticStatus::warning, "looking for the robot in the map");
+            case PlaceState::ambiguous:
+                return as(RosDiagnosticStatus::error, "several places fit alike");
+            case PlaceState::lost:
+                return as(RosDiagnosticStatus::error, "the robot is lost");
+            case PlaceState::found:
+                break;
+        }
+        if (progress_.degree >= degenerate_degree) {
+            return as(RosDiagnosticStatus::warning, "the scans do not determine the pose");
+        }
+        if (is_falling_behind) {
+            return as(RosDiagnosticStatus::warning, "scans are passed over");
+        }
+        return as(RosDiagnosticStatus::ok, map_is_fixed_ ? "localising" : "mapping");
     }
 
     RosArguments arguments_;
@@ -520,6 +621,7 @@ private:
     RobotClock clock_;
     SilenceWatch silence_;
     std::atomic<std::int64_t> surveyed_since_ns_ = 0;  ///< 0: the survey is over, or what it lacks has been said
+    std::atomic<bool> map_is_fixed_ = false;
     std::string first_scan_topic_;
     std::set<std::string> heard_;  ///< the topics that are subscribed to for the filter
 
@@ -531,7 +633,7 @@ private:
     const LogStream* stream_ = nullptr;
 
     mutable std::mutex mutex_;  ///< of what follows, up to the messages
-    std::optional<Pose2> initial_pose_;
+    std::optional<localization::StartPose> initial_pose_;
     SentTransforms sent_;
     Progress progress_;
     std::size_t told_passed_over_ = 0;

@@ -12,6 +12,11 @@ constexpr int map_time_share = 20;
 
 }  // namespace
 
+void LiveRun::show_fixed_map(std::int64_t stamp_ns, const MapRaster& map) {
+    map_is_fixed_ = true;
+    messages_.add_map(stamp_ns, map);
+}
+
 void LiveRun::add(const SensorFrame& frame, const std::optional<Update>& update, const ParticleFilter& filter) {
     if (update) {
         messages_.add(frame, *update);
@@ -21,9 +26,13 @@ void LiveRun::add(const SensorFrame& frame, const std::optional<Update>& update,
 }
 
 void LiveRun::finish(const MapRaster& map, const Trajectory& path) {
-    if (!path.empty()) {
-        messages_.add_map(path.back().stamp_ns, map, path);
+    if (path.empty()) {
+        return;
     }
+    if (!map_is_fixed_) {
+        messages_.add_map(path.back().stamp_ns, map);
+    }
+    messages_.add_path(path.back().stamp_ns, path);
 }
 
 void LiveRun::add_map(std::int64_t stamp_ns, const ParticleFilter& filter) {
@@ -31,7 +40,10 @@ void LiveRun::add_map(std::int64_t stamp_ns, const ParticleFilter& filter) {
     if (start < map_due_) {
         return;
     }
-    messages_.add_map(stamp_ns, map_raster(filter.map()), filter.trajectory());
+    if (!map_is_fixed_) {
+        messages_.add_map(stamp_ns, map_raster(filter.map()));
+    }
+    messages_.add_path(stamp_ns, filter.trajectory());
     const Clock::time_point end = Clock::now();
     map_due_ = end + std::max<Clock::duration>(least_map_interval, map_time_share * (end - start));
 }

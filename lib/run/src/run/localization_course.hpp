@@ -8,6 +8,7 @@
 #include "ddtool/filter/update.hpp"
 #include "ddtool/system/settings.hpp"
 #include "localization/localizer.hpp"
+#include "localization/place_trust.hpp"
 #include "report/page.hpp"
 #include "system/atomic_file.hpp"
 
@@ -18,9 +19,9 @@ namespace ddtool {
 class LocalizationCourse {
 public:
     /// A pose counts as sure from this probability on.
-    static constexpr double sure = 0.9;
+    static constexpr double sure = localization::sure_probability;
     /// The robot counts as lost from this probability on.
-    static constexpr double lost = 0.5;
+    static constexpr double lost = localization::even_probability;
 
     explicit LocalizationCourse(const std::filesystem::path& file);
 

@@ -16,7 +16,8 @@ void ResultLog::add(const SensorFrame& frame, const std::optional<Update>& updat
     if (update) {
         messages_.add(frame, *update);
         if (map_is_due(stamp_ns)) {
-            messages_.add_map(stamp_ns, map_raster(filter.map()), filter.trajectory());
+            messages_.add_map(stamp_ns, map_raster(filter.map()));
+            messages_.add_path(stamp_ns, filter.trajectory());
             map_written_ns_ = stamp_ns;
         }
         start_ns_ = start_ns_.value_or(stamp_ns);
@@ -25,7 +26,9 @@ void ResultLog::add(const SensorFrame& frame, const std::optional<Update>& updat
 }
 
 void ResultLog::finish(const MapRaster& map, const Trajectory& path) {
-    messages_.add_map(path.empty() ? 0 : path.back().stamp_ns, map, path);
+    const std::int64_t stamp_ns = path.empty() ? 0 : path.back().stamp_ns;
+    messages_.add_map(stamp_ns, map);
+    messages_.add_path(stamp_ns, path);
 }
 
 /// Because the intervals grow with the run, the file holds a few dozen maps even if the run is long.

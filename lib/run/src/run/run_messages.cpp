@@ -44,11 +44,6 @@ void RunMessages::add(const SensorFrame& frame, const Update& update) {
     write_degeneracy(summary_of(update));
 }
 
-void RunMessages::add_map(std::int64_t stamp_ns, const MapRaster& map, const Trajectory& path) {
-    write_map(stamp_ns, map);
-    write_path(stamp_ns, path);
-}
-
 void RunMessages::write_transforms(const SensorFrame& frame, const Pose2& map_from_robot) {
     const std::int64_t stamp_ns = frame.scan.stamp_ns;
     if (robot_from_laser_ != frame.robot_from_laser) {
@@ -100,7 +95,7 @@ void RunMessages::add_pose(std::int64_t stamp_ns, const ParticleFilter& filter) 
     sink_.write("/pose", stamp_ns, pose);
 }
 
-void RunMessages::write_map(std::int64_t stamp_ns, const MapRaster& map) {
+void RunMessages::add_map(std::int64_t stamp_ns, const MapRaster& map) {
     RosOccupancyGrid message{.header = {{stamp_ns}, map_frame},
                              .map_load_time = {stamp_ns},
                              .resolution = static_cast<float>(map.cell_size_m),
@@ -111,7 +106,7 @@ void RunMessages::write_map(std::int64_t stamp_ns, const MapRaster& map) {
     sink_.write("/map", stamp_ns, message);
 }
 
-void RunMessages::write_path(std::int64_t stamp_ns, const Trajectory& path) {
+void RunMessages::add_path(std::int64_t stamp_ns, const Trajectory& path) {
     RosPath message{.header = {{stamp_ns}, map_frame}, .poses = {}};
     for (const StampedPose& pose : thinned(path)) {
         message.poses.push_back(pose_message(pose.stamp_ns, map_frame, pose.pose));

@@ -27,15 +27,15 @@ public:
     void add(const SensorFrame& frame, const Update& update);
     /// Publishes where the robot is after the filter has processed a frame, whether or not the frame caused an update.
     void add_pose(std::int64_t stamp_ns, const ParticleFilter& filter);
-    /// Publishes the map and the path as they are now.
-    void add_map(std::int64_t stamp_ns, const MapRaster& map, const Trajectory& path);
+    /// Publishes the map as it is now.
+    void add_map(std::int64_t stamp_ns, const MapRaster& map);
+    /// Publishes the path as it is now.
+    void add_path(std::int64_t stamp_ns, const Trajectory& path);
 
 private:
     void write_transforms(const SensorFrame& frame, const Pose2& map_from_robot);
     void write_degeneracy(const UpdateSummary& update);
     void write_particles(const ParticleSnapshot& swarm);
-    void write_map(std::int64_t stamp_ns, const MapRaster& map);
-    void write_path(std::int64_t stamp_ns, const Trajectory& path);
 
     Ros2Sink& sink_;
     Reader reader_;

@@ -78,8 +78,9 @@ public:
 
     /// In a known map: adds a particle at each hypothesis, which is a pose at the last update, or before the first one
     /// at the first frame. The present particles keep together the share kept_share of the weight, where the weights of
-    /// the hypotheses sum to the rest; with 0 they are dropped, and there must be a hypothesis. The new particles have
-    /// the past of the best one. Needs a likelihood_gain above 0.
+    /// the hypotheses sum to the rest. With 0 they are dropped, there must be a hypothesis, and hypotheses are poses at
+    /// the next frame, which makes an update even if the robot stands. The new particles have the past of the best one.
+    /// Needs a likelihood_gain above 0.
     void place(std::span<const Hypothesis> hypotheses, double kept_share);
     /// From now on each particle has the known map as its own, and scans enter it.
     void map_on();
@@ -120,7 +121,7 @@ private:
     }
     [[nodiscard]] Pose2 match_start(const Particle& particle, std::size_t index) const;
     [[nodiscard]] PosePrior prior_of_match(const Particle& particle, const Step& step) const;
-    [[nodiscard]] Step step_to(const SensorFrame& frame, const Pose2& odometry_motion) const;
+    [[nodiscard]] Step step_to(const SensorFrame& frame, const Pose2& odometry_motion, bool first) const;
     [[nodiscard]] PreparedScan prepare(const SensorFrame& frame) const;
     void start(const Pose2& world_from_robot);
     void propagate(const Step& step);
@@ -148,6 +149,7 @@ private:
     std::int64_t stamp_at_update_ns_ = 0;
     std::optional<Pose2> odom_at_mapping_;  ///< when a scan last entered the maps
     std::uint64_t updates_ = 0;
+    bool placed_anew_ = false;                              ///< the particles are at their poses of the next frame
     ScanNoise noise_;                                       ///< with each beam's distance cut off as in the likelihood
     ScanNoise beam_noise_;                                  ///< with each beam's weight in the match
     Eigen::Matrix3d covariance_ = Eigen::Matrix3d::Zero();  ///< of the pose at the last update
