@@ -43,14 +43,14 @@ TEST(ScanNoise, FollowsALogThatBecomesNoisier) {
 }
 
 TEST(ScanNoise, GivesBeamsTheInformationOfTheirOwnNoise) {
-    EXPECT_NEAR(learnt(0.025, 50).information_factor(0.05), 4.0, 1e-12);
-    EXPECT_NEAR(learnt(0.1, 50).information_factor(0.05), 0.25, 1e-12);
+    EXPECT_NEAR(learnt(0.025, 50).information_factor(0.05), 2.0, 1e-12);
+    EXPECT_NEAR(learnt(0.1, 50).information_factor(0.05), 0.125, 1e-12);
 }
 
 TEST(ScanNoise, BelievesNoBeamMoreThanTheMap) {
     const double most = learnt(ScanNoise::least_sd_m, 50).information_factor(0.05);
     EXPECT_EQ(learnt(0.001, 50).information_factor(0.05), most);
-    EXPECT_NEAR(most, 5.17, 0.01);
+    EXPECT_NEAR(most, 10.33, 0.01);
 }
 
 /// The map is at first made of the scans that lie on it.

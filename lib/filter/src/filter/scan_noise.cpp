@@ -25,7 +25,9 @@ double ScanNoise::weight(double full_weight_sd_m) const {
 }
 
 double ScanNoise::information_factor(double assumed_sd_m) const {
-    return scans_ < least_scans ? 1.0 : squared(assumed_sd_m) / std::max(mean_square_m2_, squared(least_sd_m));
+    return scans_ < least_scans
+               ? 1.0
+               : independent_share * squared(assumed_sd_m) / std::max(mean_square_m2_, squared(least_sd_m));
 }
 
 }  // namespace ddtool
