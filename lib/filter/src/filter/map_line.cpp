@@ -18,7 +18,7 @@ namespace {
 /// large.
 constexpr double reach_m = 0.08;
 constexpr double least_reach_cells = 1.6;
-constexpr int points_of_a_line = 3;
+constexpr std::int64_t points_of_a_line = 3;
 
 /// Sums over points, each of which counts `weight` times, in units of NearestPoint relative to one point.
 struct PointSums {
