@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/lanes.hpp"
 #include "base/squared.hpp"
 #include "filter/beam_sums.hpp"
 #include "filter/pose_covariance.hpp"
@@ -98,11 +97,10 @@ ScanMatch ScanMatcher::refine(const OccupancyGrid& grid, const MatchPoints& poin
     for (int iteration = 0; iteration < settings_.max_iterations; ++iteration) {
         surfaces_.find(grid, points, pose, with_lines ? MeasuredAcross::map_lines : MeasuredAcross::scan_surfaces);
         Normal normal = normal_equations(points, pose);
-        const Eigen::Vector3d from_prediction(pose.x_m - predicted.x_m, pose.y_m - predicted.y_m,
-                                              wrap_angle(pose.theta_rad - predicted.theta_rad));
         const Eigen::Matrix3d system = normal.match.information + prior_information;
-        const Eigen::Vector3d step = -system.ldlt().solve(normal.gradient + prior_information * from_prediction);
-        pose = {pose.x_m + step.x(), pose.y_m + step.y(), wrap_angle(pose.theta_rad + step.z())};
+        const Eigen::Vector3d step =
+            -system.ldlt().solve(normal.gradient + prior_information * offset(predicted, pose));
+        pose = moved_by(pose, step);
         if (with_lines && step.head<2>().norm() < settled_m && std::abs(step.z()) < settled_rad) {
             normal.match.log_likelihood = log_likelihood(points);
             normal.match.pose = pose;

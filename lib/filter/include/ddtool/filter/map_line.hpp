@@ -34,10 +34,9 @@ private:
     int radius2_ = 0;  ///< in units of NearestPoint, squared
 };
 
-/// The same lines, of which those that were asked for lately are kept. A place is seen by many beams, in many
-/// iterations of a match and in several matches before a scan enters the map again, and a fit takes as long as
-/// everything else that is done for a beam. Asking changes an object, so that each thread needs its own, which serves
-/// any number of grids of that cell size.
+/// The same lines, of which those that were asked for lately are kept. A place is seen by several beams, and in several
+/// matches before a scan enters the map again, and a fit takes as long as everything else that is done for a beam.
+/// Asking changes an object, so that each thread needs its own, which serves any number of grids of that cell size.
 class KeptMapLines {
 public:
     explicit KeptMapLines(double cell_size_m) : fit_(cell_size_m), kept_(std::size_t{1} << size_bits) {}
