@@ -70,6 +70,19 @@ TEST(ScanMatcher, FindsThePoseOfAnotherView) {
     }
 }
 
+TEST(ScanMatcher, MatchesFromTheStartThatFitsBest) {
+    const View view;
+    const Pose2 far = view.pose * Pose2{1.5, 1.2, 0.9};
+    const std::vector<Pose2> starts{far, view.pose * Pose2{0.02, 0.01, 0.01}, far * Pose2{0.1, 0.0, 0.1}};
+    const ScanMatch direct = matcher().match_directly(view.grid, view.match_points, far, loose);
+    EXPECT_TRUE(matcher().is_doubtful(direct));
+    const ScanMatch match = matcher().match_from(starts, direct, view.grid, view.match_points, far, loose);
+    EXPECT_LT(distance_m(match.pose, view.pose), 0.015);
+    EXPECT_FALSE(matcher().is_doubtful(match));
+    // A match that is better than what the starts lead to stays.
+    EXPECT_EQ(matcher().match_from({&far, 1}, match, view.grid, view.match_points, far, loose).pose, match.pose);
+}
+
 TEST(ScanMatcher, LeavesTheWayAlongACorridorToThePrior) {
     const sim::World corridor = room(80.0, 2.0);
     const Pose2 mapped_from{0.3, 0.1, 0.0};

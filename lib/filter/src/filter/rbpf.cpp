@@ -212,15 +212,52 @@ PosePrior Rbpf::prior_of_match(const Particle& particle, const Step& step) const
 void Rbpf::match(const PreparedScan& scan, const Step& step) {
     threads_.for_each(particles_.size(), [&](std::size_t index, std::size_t worker) {
         Particle& particle = particles_[index];
-        ScanMatcher& matcher = workers_[worker].matcher;
-        const OccupancyGrid& grid = grid_of(particle);
         particle.match_start = match_start(particle, index);
-        particle.match = matcher.match(grid, scan.match_points, particle.match_start, prior_of_match(particle, step));
+        particle.match = workers_[worker].matcher.match_directly(grid_of(particle), scan.match_points,
+                                                                 particle.match_start, prior_of_match(particle, step));
+    });
+    search_widely(scan, step);
+    threads_.for_each(particles_.size(), [&](std::size_t index, std::size_t worker) {
+        Particle& particle = particles_[index];
         if (!particle.match.accepted()) {
-            particle.match = matcher.evaluate(grid, scan.match_points, particle.match_start);
+            particle.match =
+                workers_[worker].matcher.evaluate(grid_of(particle), scan.match_points, particle.match_start);
         }
         particle.pose = particle.match.pose;
         particle.matched_motion = between(particle.pose_before, particle.pose);
+    });
+}
+
+/// What the wide search of one particle finds is a motion from the pose before, which the maps of all particles have in
+/// common up to what they disagree about. So only every fourth of those with a doubtful match searches, and the others
+/// start from the best of the motions found. Particles lie in the order of their ancestors, so that no family is left
+/// out. In a known map, which is one for all, each particle has a way of its own to the right pose.
+void Rbpf::search_widely(const PreparedScan& scan, const Step& step) {
+    const std::size_t every = known_map_ ? 1 : 4;
+    std::vector<std::size_t> doubtful;
+    for (std::size_t index = 0; index < particles_.size(); ++index) {
+        if (workers_.front().matcher.is_doubtful(particles_[index].match)) {
+            doubtful.push_back(index);
+        }
+    }
+    std::vector<Pose2> motions((doubtful.size() + every - 1) / every);
+    threads_.for_each(motions.size(), [&](std::size_t number, std::size_t worker) {
+        const Particle& particle = particles_[doubtful[every * number]];
+        motions[number] =
+            between(particle.pose_before,
+                    workers_[worker].matcher.search(grid_of(particle), scan.match_points, particle.match_start));
+    });
+    threads_.for_each(doubtful.size(), [&](std::size_t number, std::size_t worker) {
+        Particle& particle = particles_[doubtful[number]];
+        const bool has_searched = number % every == 0;
+        const std::size_t first = has_searched ? number / every : 0;
+        std::vector<Pose2> starts;
+        for (std::size_t at = first; at < (has_searched ? first + 1 : motions.size()); ++at) {
+            starts.push_back(particle.pose_before * motions[at]);
+        }
+        particle.match =
+            workers_[worker].matcher.match_from(starts, particle.match, grid_of(particle), scan.match_points,
+                                                particle.match_start, prior_of_match(particle, step));
     });
 }
 

@@ -2,6 +2,7 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "base/squared.hpp"
@@ -111,9 +112,10 @@ ScanMatch ScanMatcher::refine(const OccupancyGrid& grid, const MatchPoints& poin
     return evaluated(grid, points, pose);
 }
 
-Pose2 ScanMatcher::search(const OccupancyGrid& grid, const MatchPoints& points, const Pose2& start) {
-    Pose2 best = start;
-    double best_score = scored(grid, points, start, search_stride);
+Pose2 ScanMatcher::search(const OccupancyGrid& grid, const MatchPoints& points, const Pose2& initial) {
+    surfaces_.begin(points);
+    Pose2 best = initial;
+    double best_score = scored(grid, points, initial, search_stride);
     const auto consider = [&](const Pose2& pose) {
         const double pose_score = scored(grid, points, pose, search_stride);
         if (pose_score > best_score) {
@@ -145,13 +147,35 @@ Pose2 ScanMatcher::search(const OccupancyGrid& grid, const MatchPoints& points, 
 
 ScanMatch ScanMatcher::match(const OccupancyGrid& grid, const MatchPoints& points, const Pose2& initial,
                              const PosePrior& prior) {
-    surfaces_.begin(points);
-    const Eigen::Matrix3d prior_information = information_of(prior, initial.theta_rad);
-    ScanMatch direct = refine(grid, points, initial, initial, prior_information);
-    if (direct.score >= settings_.doubtful_score) {
+    const ScanMatch direct = match_directly(grid, points, initial, prior);
+    if (!is_doubtful(direct)) {
         return direct;
     }
-    const ScanMatch searched = refine(grid, points, search(grid, points, initial), initial, prior_information);
+    const std::array start{search(grid, points, initial)};
+    return match_from(start, direct, grid, points, initial, prior);
+}
+
+ScanMatch ScanMatcher::match_directly(const OccupancyGrid& grid, const MatchPoints& points, const Pose2& initial,
+                                      const PosePrior& prior) {
+    surfaces_.begin(points);
+    return refine(grid, points, initial, initial, information_of(prior, initial.theta_rad));
+}
+
+ScanMatch ScanMatcher::match_from(std::span<const Pose2> starts, const ScanMatch& direct, const OccupancyGrid& grid,
+                                  const MatchPoints& points, const Pose2& initial, const PosePrior& prior) {
+    surfaces_.begin(points);
+    Pose2 start = starts.front();
+    if (starts.size() > 1) {
+        double best_score = -1.0;
+        for (const Pose2& pose : starts) {
+            const double pose_score = scored(grid, points, pose, search_stride);
+            if (pose_score > best_score) {
+                best_score = pose_score;
+                start = pose;
+            }
+        }
+    }
+    const ScanMatch searched = refine(grid, points, start, initial, information_of(prior, initial.theta_rad));
     return searched.score > direct.score ? searched : direct;
 }
 

@@ -16,5 +16,12 @@ World random_office(std::uint64_t seed);
 World random_corridors(std::uint64_t seed);
 /// Open ground with few to many landmarks, some of them walls, and a loop for the robot to drive.
 World random_open(std::uint64_t seed);
+/// Corridors 1.6 to 2.4 m wide with recesses in both walls, 0.1 to 0.5 m deep and 2 to 10 m apart, as closed doors make
+/// them. A straight one of 140 m, there and back;
+World random_recessed_corridor(std::uint64_t seed);
+/// a ring, 100 m around, one lap and one more side;
+World random_recessed_ring(std::uint64_t seed);
+/// and a figure of eight, two rings of 60 to 100 m that meet at a crossing, both driven once, and the first side again.
+World random_recessed_eight(std::uint64_t seed);
 
 }  // namespace ddtool::sim

@@ -35,6 +35,9 @@ constexpr RandomKind random_kinds[] = {
     {"random:office:SEED", "a corridor with rooms, doors and furniture, drawn by seed", random_office},
     {"random:corridors:SEED", "corridors at right angles or a ring of them, drawn by seed", random_corridors},
     {"random:open:SEED", "open ground with landmarks and walls, drawn by seed", random_open},
+    {"random:recessed-corridor:SEED", "a straight corridor with recesses, drawn by seed", random_recessed_corridor},
+    {"random:recessed-ring:SEED", "a ring of corridors with recesses, drawn by seed", random_recessed_ring},
+    {"random:recessed-eight:SEED", "two such rings that meet, drawn by seed", random_recessed_eight},
 };
 
 World draw_random(const std::string& name) {
@@ -43,13 +46,14 @@ World draw_random(const std::string& name) {
     std::uint64_t seed = 0;
     const char* end = name.data() + name.size();
     const auto [last, error] = std::from_chars(name.data() + colon + 1, end, seed);
+    std::string kinds;
     for (const RandomKind& known : random_kinds) {
+        kinds += (kinds.empty() ? "" : ", ") + std::string(known.name);
         if (kind == known.name && error == std::errc() && last == end) {
             return known.draw(seed);
         }
     }
-    throw UsageError("unknown world '" + name + "'; expected random:office, random:corridors or random:open with a " +
-                     "seed behind it, such as random:office:17");
+    throw UsageError("unknown world '" + name + "'; expected one of " + kinds + "; SEED is a number");
 }
 
 std::vector<World> parse_builtin_worlds() {

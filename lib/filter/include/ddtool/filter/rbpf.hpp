@@ -126,6 +126,7 @@ private:
     void start(const Pose2& world_from_robot);
     void propagate(const Step& step);
     void match(const PreparedScan& scan, const Step& step);
+    void search_widely(const PreparedScan& scan, const Step& step);
     void reweight();
     /// Exponent on the likelihood of a scan of this log.
     [[nodiscard]] double gain() const;

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <span>
 
 #include "ddtool/filter/beam_surfaces.hpp"
 #include "ddtool/filter/occupancy_grid.hpp"
@@ -68,6 +69,16 @@ public:
     /// initial: world_from_robot as the motion model predicted it; prior: its uncertainty. `points` must be in cells of
     /// the same size as the grid's. The result may have to be rejected: see ScanMatch::accepted().
     ScanMatch match(const OccupancyGrid& grid, const MatchPoints& points, const Pose2& initial, const PosePrior& prior);
+    /// The parts of match(), for who matches one scan in many maps: the match without a wide search,
+    ScanMatch match_directly(const OccupancyGrid& grid, const MatchPoints& points, const Pose2& initial,
+                             const PosePrior& prior);
+    /// whether it calls for a wide search,
+    [[nodiscard]] bool is_doubtful(const ScanMatch& direct) const { return direct.score < settings_.doubtful_score; }
+    /// the pose that the wide search around `initial` finds,
+    Pose2 search(const OccupancyGrid& grid, const MatchPoints& points, const Pose2& initial);
+    /// and the match from the start that fits best, or `direct` if that has the higher score. `starts` is not empty.
+    ScanMatch match_from(std::span<const Pose2> starts, const ScanMatch& direct, const OccupancyGrid& grid,
+                         const MatchPoints& points, const Pose2& initial, const PosePrior& prior);
     /// How the scan fits at the given pose (world_from_robot), which is not changed.
     ScanMatch evaluate(const OccupancyGrid& grid, const MatchPoints& points, const Pose2& pose);
     /// Score at a pose (world_from_robot), from every `stride`-th block of beams. It is divided by the number of all
@@ -88,7 +99,6 @@ private:
     double scored(const OccupancyGrid& grid, const MatchPoints& points, const Pose2& pose, std::size_t stride);
     ScanMatch refine(const OccupancyGrid& grid, const MatchPoints& points, const Pose2& start, const Pose2& predicted,
                      const Eigen::Matrix3d& prior_information);
-    Pose2 search(const OccupancyGrid& grid, const MatchPoints& points, const Pose2& start);
 
     ScanMatcherSettings settings_;
     double cell_size_m_;
