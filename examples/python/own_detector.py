@@ -1,4 +1,4 @@
-"""Ten lines of NumPy in the place of the network: own_detector.py LOG
+"""Ten lines of NumPy in the place of the network: own_detector.py [LOG]; without a log, a simulated corridor.
 
 The degree is the share of the particles' predicted spread that is left after scan matching, along the direction in which
 it is largest."""
@@ -24,5 +24,6 @@ def share_left(swarm: ddtool.Swarm) -> tuple[float, float]:
 if __name__ == "__main__":
     slam = ddtool.Slam(particles=20, seed=1, detector=share_left, settings={"filter.gate": "none"})
     degrees: list[float] = []
-    slam.run(ddtool.open_log(sys.argv[1]), on_update=lambda update: degrees.append(update.degree))
+    scans = ddtool.open_log(sys.argv[1]) if len(sys.argv) > 1 else ddtool.simulate("s2", settings={"lidar.rate_hz": 2})
+    slam.run(scans, on_update=lambda update: degrees.append(update.degree))
     print(f"{len(degrees)} updates, mean degree {np.mean(degrees):.2f}")
