@@ -37,7 +37,7 @@ public:
         visit_trajectory([&](const StampedPose& pose) { all.push_back(pose); });
         return all;
     }
-    /// Calls `visit` with each pose of trajectory(), without a copy of them all: after a day's drive that is some 100 MB.
+    /// Calls `visit` with each pose of trajectory(), without a copy of them all, which a long drive makes large.
     virtual void visit_trajectory(const PoseVisitor& visit) const = 0;
     /// What has been learnt of the odometry; empty if the method learns nothing of it.
     [[nodiscard]] virtual std::optional<OdometryState> odometry_state() const { return std::nullopt; }
