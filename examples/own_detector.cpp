@@ -3,7 +3,9 @@
 // log.
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <iostream>
+#include <stdexcept>
 #include <string>
 
 #include "ddtool/methods/driven_scans.hpp"
@@ -51,7 +53,13 @@ static double mean_degree(const std::string& log, const std::string& detector) {
     return updates > 0 ? sum / updates : 0.0;
 }
 
-int main(int, char** argv) {
+int main(int argc, char** argv) try {
+    if (argc != 2) {
+        throw std::runtime_error("expected: own_detector LOG");
+    }
     std::cout << "along-the-way " << mean_degree(argv[1], "along-the-way") << ", half " << mean_degree(argv[1], "half")
               << '\n';
+} catch (const std::exception& error) {
+    std::cerr << error.what() << '\n';
+    return 1;
 }

@@ -30,8 +30,8 @@ void become_other_program(const std::string& program, const std::string& library
     std::string command_line = read_file("/proc/self/cmdline");
     execv(path.c_str(), arguments_in(command_line).data());
     if (errno == ENOENT) {
-        throw Error("this needs " + library + ", and " + path.string() +
-                    " is not there: scripts/build makes it, the Debian package " + program + " installs it");
+        throw Error("this needs " + library + ", and " + path.string() + " is not there: scripts/build " + program +
+                    " makes it, the Debian package " + program + " installs it");
     }
     throw Error(path.string() + ": cannot be started, which this needs for " + library + ": " +
                 std::generic_category().message(errno));

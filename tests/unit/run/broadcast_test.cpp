@@ -15,6 +15,7 @@
 namespace ddtool {
 namespace {
 
+using testing::Each;
 using testing::ElementsAre;
 using testing::IsEmpty;
 
@@ -68,8 +69,24 @@ protected:
         return found;
     }
 
+    /// The times that a client was told.
+    std::vector<std::int64_t> times(ClientId client) {
+        std::vector<std::int64_t> told;
+        for (const std::string& message : links_.times[client]) {
+            std::memcpy(&told.emplace_back(), message.data() + 1, sizeof(std::int64_t));
+        }
+        return told;
+    }
+    /// As long as a viewer is given to look at the beginning.
+    void wait_for_history() {
+        broadcast_.catch_up(now_);
+        now_ += Broadcast::rewound_for;
+        broadcast_.catch_up(now_);
+    }
+
     RecordingLinks links_;
     Broadcast broadcast_{links_, "session"};
+    Broadcast::Clock::time_point now_{};
 };
 
 TEST_F(BroadcastTest, GreetsWithServerInfoAndChannels) {
@@ -169,11 +186,11 @@ TEST_F(BroadcastTest, WhoReadsOnGetsTheLatestOfEachTopicOnceLongestWaitFirst) {
     publish("/pose", 1);
     publish("/map", 2);
     publish("/pose", 3);
-    broadcast_.catch_up();
+    broadcast_.catch_up(now_);
     EXPECT_THAT(links_.data[0], IsEmpty());
     links_.unsent[0] = 0;
-    broadcast_.catch_up();
-    broadcast_.catch_up();
+    broadcast_.catch_up(now_);
+    broadcast_.catch_up(now_);
     EXPECT_THAT(links_.data[0], ElementsAre(foxglove_data_message(2, 3, std::vector<std::byte>(4)),
                                             foxglove_data_message(0, 2, std::vector<std::byte>(4))));
 }
@@ -191,11 +208,11 @@ TEST_F(BroadcastTest, WhoeverReadsAtHisPaceGetsAnOrderedPartWithTheLatest) {
         for (const ClientId client : links_.slow) {
             links_.unsent[client] -= std::min<std::size_t>(links_.unsent[client], random() % (30'000 * (client + 1)));
         }
-        broadcast_.catch_up();
+        broadcast_.catch_up(now_);
     }
     for (const ClientId client : links_.slow) {
         links_.unsent[client] = 0;
-        broadcast_.catch_up();
+        broadcast_.catch_up(now_);
         const std::vector<std::int64_t> got = stamps(client, 7);
         EXPECT_TRUE(std::is_sorted(got.begin(), got.end(), std::less_equal<>())) << "each once, in order";
         EXPECT_EQ(got.back(), 1999);
@@ -212,33 +229,82 @@ TEST_F(BroadcastTest, GivesTheDegreesHistoryToWhoComesLate) {
     publish("/map", 50);
     broadcast_.opened(5);
     subscribe(5, 70, 0);
-    EXPECT_THAT(stamps(5, 70), ElementsAre(50)) << "of a map only the latest";
-    links_.times[5].clear();
     subscribe(5, 71, 1);
+    EXPECT_EQ(times(5).front(), 2) << "the clock begins at the first";
+    EXPECT_EQ(times(5).back(), 2);
+    wait_for_history();
     std::vector<std::int64_t> all(39);
     std::iota(all.begin(), all.end(), 2);
     EXPECT_EQ(stamps(5, 71), all);
-    EXPECT_THAT(stamps(5, 70), ElementsAre(50, 50)) << "again, because the clock was set back";
-    ASSERT_EQ(links_.times[5].size(), 40U);
-    std::int64_t told_ns = 0;
-    std::memcpy(&told_ns, links_.times[5].back().data() + 1, sizeof told_ns);
-    EXPECT_EQ(told_ns, 50);
+    EXPECT_THAT(stamps(5, 70), ElementsAre(50)) << "of a map only the latest";
+    EXPECT_TRUE(std::ranges::is_sorted(times(5)));
+    EXPECT_EQ(times(5).back(), 50);
     publish("/degeneracy", 60);
     EXPECT_EQ(stamps(5, 71).back(), 60);
     EXPECT_EQ(stamps(5, 71).size(), 40U);
 }
 
+TEST_F(BroadcastTest, SetsTheClockBackForWhoAsksForTheHistoryLater) {
+    publish("/degeneracy", 1);
+    publish("/map", 2);
+    broadcast_.opened(5);
+    subscribe(5, 70, 1);
+    wait_for_history();
+    EXPECT_THAT(times(5), ElementsAre(1, 2));
+    EXPECT_THAT(stamps(5, 70), ElementsAre(2));
+    subscribe(5, 71, 0);
+    EXPECT_THAT(times(5), ElementsAre(1, 2, 1));
+    wait_for_history();
+    EXPECT_THAT(stamps(5, 71), ElementsAre(1));
+    EXPECT_THAT(stamps(5, 70), ElementsAre(2, 2)) << "again, because the clock was set back";
+    EXPECT_EQ(times(5).back(), 2);
+}
+
+TEST_F(BroadcastTest, LeavesTheClockAtTheBeginningOfAHistoryUntilItWasLookedAt) {
+    publish("/map", 1);
+    publish("/degeneracy", 2);
+    broadcast_.opened(5);
+    broadcast_.catch_up(now_);
+    now_ += Broadcast::rewound_for * 3 / 4;
+    subscribe(5, 70, 0);
+    subscribe(5, 71, 1);  // the wait begins anew
+    publish("/degeneracy", 3);
+    publish("/map", 4);
+    broadcast_.catch_up(now_);
+    now_ += Broadcast::rewound_for * 3 / 4;
+    broadcast_.catch_up(now_);
+    EXPECT_THAT(times(5), Each(2));
+    EXPECT_THAT(links_.data[5], IsEmpty());
+    wait_for_history();
+    EXPECT_EQ(times(5).back(), 4);
+    EXPECT_THAT(stamps(5, 71), ElementsAre(2, 3)) << "with what came meanwhile, each once";
+    EXPECT_THAT(stamps(5, 70), ElementsAre(4));
+}
+
+TEST_F(BroadcastTest, GoesOnWithoutAHistoryThatNobodyWants) {
+    publish("/degeneracy", 1);
+    publish("/map", 2);
+    broadcast_.opened(5);
+    subscribe(5, 70, 0);
+    subscribe(5, 71, 1);
+    unsubscribe(5, 70);
+    wait_for_history();
+    EXPECT_THAT(stamps(5, 70), IsEmpty());
+    EXPECT_THAT(stamps(5, 71), ElementsAre(2));
+    EXPECT_EQ(times(5).back(), 2);
+}
+
 TEST_F(BroadcastTest, GivesASlowClientNoHistory) {
+    broadcast_.opened(5);
+    links_.slow.insert(5);
     publish("/map", 1, Broadcast::backlog_bytes);
     publish("/degeneracy", 2);
     publish("/degeneracy", 3);
-    links_.slow.insert(5);
-    broadcast_.opened(5);
     subscribe(5, 70, 0);
     subscribe(5, 71, 1);
     EXPECT_THAT(stamps(5, 71), IsEmpty());
     links_.unsent[5] = 0;
-    broadcast_.catch_up();
+    broadcast_.catch_up(now_);
     EXPECT_THAT(stamps(5, 71), ElementsAre(3));
 }
 

@@ -30,7 +30,7 @@ public:
     [[nodiscard]] const OccupancyGrid& map() const override { return map_; }
     [[nodiscard]] Pose2 pose() const override { return believed; }
     [[nodiscard]] Eigen::Matrix3d pose_covariance() const override { return Eigen::Matrix3d::Zero(); }
-    [[nodiscard]] Trajectory trajectory() const override { return {}; }
+    void visit_trajectory(const PoseVisitor& /*visit*/) const override {}
 
     Pose2 believed;
 

@@ -3,11 +3,28 @@
 #include <gmock/gmock.h>
 #include <sys/stat.h>
 
+#include <cerrno>
+#include <cstdlib>
 #include <fstream>
+#include <new>
 #include <stdexcept>
 
 #include "temporary_folder.hpp"
 #include "thrown_text.hpp"
+
+// Allocations may leave a reason in errno although they succeed: glibc's do where the heap cannot grow at its place.
+static thread_local bool allocations_set_errno = false;
+
+void* operator new(std::size_t size) {
+    void* const memory = std::malloc(size == 0 ? 1 : size);
+    if (memory == nullptr) {
+        throw std::bad_alloc();
+    }
+    errno = allocations_set_errno ? ENOMEM : errno;
+    return memory;
+}
+void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t /*size*/) noexcept { std::free(memory); }
 
 namespace ddtool {
 namespace {
@@ -102,6 +119,17 @@ TEST(ReadFile, NamesTheFileAndTheReason) {
     const TemporaryFolder folder;
     EXPECT_THAT(thrown_text([&] { read_file(folder / "none"); }), HasSubstr("none: cannot read: No such file"));
     EXPECT_THAT(thrown_text([&] { read_file(folder / "."); }), HasSubstr("cannot read: Is a directory"));
+}
+
+TEST(ReadFile, TakesNoReasonForAFailureFromWhatSucceeded) {
+    const TemporaryFolder folder;
+    const std::string content(300'000, 'x');
+    write_file(folder / "a", content);
+    allocations_set_errno = true;
+    std::string read;
+    EXPECT_NO_THROW(read = read_file(folder / "a"));
+    allocations_set_errno = false;
+    EXPECT_EQ(read, content);
 }
 
 }  // namespace

@@ -241,8 +241,10 @@ Eigen::Matrix3d GmappingFilter::pose_covariance() const {
                                 {sigmas.x(), sigmas.y(), sigmas.z()});
 }
 
-Trajectory GmappingFilter::trajectory() const {
-    return particles_.empty() ? Trajectory{} : path_.trajectory(best().past);
+void GmappingFilter::visit_trajectory(const PoseVisitor& visit) const {
+    if (!particles_.empty()) {
+        path_.visit_trajectory(best().past, visit);
+    }
 }
 
 }  // namespace ddtool

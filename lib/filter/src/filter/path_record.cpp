@@ -27,13 +27,12 @@ PathRecord::Node PathRecord::extend(Node parent, const Pose2& pose) {
     return node;
 }
 
-Trajectory PathRecord::trajectory(Node node) const {
+void PathRecord::visit_trajectory(Node node, const PoseVisitor& visit) const {
+    std::ranges::for_each(settled_, visit);
     const std::vector<Pose2> poses = history_.path(node);
-    Trajectory trajectory(settled_.begin(), settled_.end());
     for (const ScanRecord& scan : scans_) {
-        trajectory.push_back(pose_of(scan, poses));
+        visit(pose_of(scan, poses));
     }
-    return trajectory;
 }
 
 /// Between two updates the path follows the odometry, and the correction by the second update is spread over the way

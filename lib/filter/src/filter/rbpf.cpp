@@ -407,6 +407,10 @@ Eigen::Matrix3d Rbpf::pose_covariance() const {
     return predicted_covariance(covariance_, best().pose, motion, odometry_->sigmas(motion, since_s));
 }
 
-Trajectory Rbpf::trajectory() const { return particles_.empty() ? Trajectory{} : path_.trajectory(best().past); }
+void Rbpf::visit_trajectory(const PoseVisitor& visit) const {
+    if (!particles_.empty()) {
+        path_.visit_trajectory(best().past, visit);
+    }
+}
 
 }  // namespace ddtool

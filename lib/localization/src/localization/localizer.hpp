@@ -60,7 +60,7 @@ public:
     [[nodiscard]] const OccupancyGrid& map() const override { return filter_.map(); }
     [[nodiscard]] Pose2 pose() const override { return filter_.pose(); }
     [[nodiscard]] Eigen::Matrix3d pose_covariance() const override { return filter_.pose_covariance(); }
-    [[nodiscard]] Trajectory trajectory() const override { return filter_.trajectory(); }
+    void visit_trajectory(const PoseVisitor& visit) const override { filter_.visit_trajectory(visit); }
     [[nodiscard]] std::optional<OdometryState> odometry_state() const override { return filter_.odometry_state(); }
 
     /// Whether scans enter the map by now.

@@ -29,10 +29,12 @@ void Broadcast::publish(std::shared_ptr<const LiveMessage> message) {
 }
 
 void Broadcast::opened(ClientId client) {
-    clients_[client];
+    Wishes& wishes = clients_[client];
     links_.send_text(client, foxglove_server_info("ddtool slam", session_));
     links_.send_text(client, foxglove_advertisement(channels_));
-    if (time_ns_) {
+    if (!histories_.empty()) {
+        rewind(client, wishes, histories_.begin()->first);
+    } else if (time_ns_) {
         links_.send_binary(client, foxglove_time_message(*time_ns_));
     }
 }
@@ -56,8 +58,14 @@ void Broadcast::received(ClientId client, const std::string& payload, bool is_te
     }
 }
 
-void Broadcast::catch_up() {
+void Broadcast::catch_up(Clock::time_point now) {
     for (auto& [client, wishes] : clients_) {
+        if (wishes.rewound) {
+            wishes.rewound->since = wishes.rewound->since.value_or(now);
+            if (now - *wishes.rewound->since >= rewound_for) {
+                send_history(client, wishes);
+            }
+        }
         pay(client, wishes);
     }
 }
@@ -85,7 +93,7 @@ void Broadcast::tell_time(std::int64_t stamp_ns) {
     time_ns_ = stamp_ns;
     const std::string message = foxglove_time_message(stamp_ns);
     for (const auto& [client, wishes] : clients_) {
-        if (has_room(client)) {
+        if (!wishes.rewound && has_room(client)) {
             links_.send_binary(client, message);
         }
     }
@@ -99,20 +107,31 @@ void Broadcast::owe(ClientId client, Wishes& wishes, ChannelId channel) {
 }
 
 void Broadcast::pay(ClientId client, Wishes& wishes) {
-    while (!wishes.behind.empty() && has_room(client)) {
+    while (!wishes.rewound && !wishes.behind.empty() && has_room(client)) {
         send(client, wishes, wishes.behind.front(), *latest_[wishes.behind.front()]);
         wishes.behind.pop_front();
     }
 }
 
-bool Broadcast::send_history(ClientId client, Wishes& wishes, ChannelId channel) {
+bool Broadcast::rewind(ClientId client, Wishes& wishes, ChannelId channel) {
     const auto history = histories_.find(channel);
     if (history == histories_.end() || !has_room(client)) {
         return false;
     }
-    for (const std::shared_ptr<const LiveMessage>& message : history->second.messages()) {
-        links_.send_binary(client, foxglove_time_message(message->stamp_ns));
-        send(client, wishes, channel, *message);
+    wishes.rewound = Rewound{.channel = channel, .since = std::nullopt};
+    links_.send_binary(client, foxglove_time_message(history->second.first_stamp_ns()));
+    return true;
+}
+
+void Broadcast::send_history(ClientId client, Wishes& wishes) {
+    const ChannelId channel = wishes.rewound->channel;
+    wishes.rewound.reset();
+    std::erase(wishes.behind, channel);
+    if (wishes.subscriptions.contains(channel)) {
+        for (const std::shared_ptr<const LiveMessage>& message : histories_.at(channel).messages()) {
+            links_.send_binary(client, foxglove_time_message(message->stamp_ns));
+            send(client, wishes, channel, *message);
+        }
     }
     links_.send_binary(client, foxglove_time_message(*time_ns_));
     for (const auto& [other, subscription] : wishes.subscriptions) {
@@ -120,7 +139,6 @@ bool Broadcast::send_history(ClientId client, Wishes& wishes, ChannelId channel)
             owe(client, wishes, other);
         }
     }
-    return true;
 }
 
 void Broadcast::send(ClientId client, const Wishes& wishes, ChannelId channel, const LiveMessage& message) {
@@ -139,7 +157,7 @@ void Broadcast::subscribe(ClientId client, const FoxgloveSubscription& wanted) {
                                     std::to_string(wanted.channel) + " is in use");
     }
     wishes.subscriptions.emplace(wanted.channel, wanted.id);
-    if (!send_history(client, wishes, wanted.channel)) {
+    if (!rewind(client, wishes, wanted.channel)) {
         owe(client, wishes, wanted.channel);
     }
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <deque>
@@ -23,11 +24,17 @@ namespace ddtool {
 ///
 /// Of /degeneracy the whole history is kept, so that a viewer who comes late can draw the degree of the whole run. A
 /// viewer places a message where the server's clock is when it comes. So the clock is set back to the first of them,
-/// and goes with them to the present. Viewers forget what they have when the clock is set back, so that the latest
-/// messages of their other topics are sent again.
+/// stands there for `rewound_for`, and goes with them to the present. Viewers begin their plots at the earliest time at
+/// which they have looked at the clock, once per picture: without the wait that would be somewhere in the history, or
+/// behind it. They forget what they have when the clock is set back, so that they get nothing else meanwhile, and the
+/// latest messages of all their topics at the end. A new client's clock begins there, too, since most subscribe at
+/// once.
 class Broadcast {
 public:
+    using Clock = std::chrono::steady_clock;
+
     static constexpr std::size_t backlog_bytes = std::size_t{1} << 20;
+    static constexpr std::chrono::milliseconds rewound_for{1000};
 
     /// `links` must outlive this object.
     Broadcast(ClientLinks& links, std::string session);
@@ -38,15 +45,22 @@ public:
     void closed(ClientId client);
     void received(ClientId client, const std::string& payload, bool is_text);
 
-    /// Sends slow clients that have meanwhile read on the latest messages that they missed.
-    void catch_up();
+    /// Sends slow clients that have meanwhile read on the latest messages that they missed, and histories whose time
+    /// has come. To be called every few dozen milliseconds.
+    void catch_up(Clock::time_point now);
 
 private:
     using ChannelId = std::uint32_t;
+    /// A client whose clock stands at the beginning of the history of a channel.
+    struct Rewound {
+        ChannelId channel = 0;
+        std::optional<Clock::time_point> since;  ///< of the next call of catch_up()
+    };
     /// What one client has subscribed to.
     struct Wishes {
         std::map<ChannelId, std::uint32_t> subscriptions;  ///< the subscription's id by channel
         std::deque<ChannelId> behind;                      ///< channels whose latest message they lack, oldest first
+        std::optional<Rewound> rewound;
     };
 
     ChannelId channel_of(const LiveMessage& message);
@@ -55,8 +69,10 @@ private:
     void owe(ClientId client, Wishes& wishes, ChannelId channel);
     void pay(ClientId client, Wishes& wishes);
     void send(ClientId client, const Wishes& wishes, ChannelId channel, const LiveMessage& message);
-    /// Sends the history of a channel instead of its latest message, if it has one and the client has room.
-    bool send_history(ClientId client, Wishes& wishes, ChannelId channel);
+    /// Sets the client's clock back to the first message of a channel, if it has a history and the client has room.
+    bool rewind(ClientId client, Wishes& wishes, ChannelId channel);
+    /// Sends the history for which the client's clock was set back, and sets its clock to the present.
+    void send_history(ClientId client, Wishes& wishes);
     void subscribe(ClientId client, const FoxgloveSubscription& wanted);
     void unsubscribe(ClientId client, std::uint32_t subscription);
     void complain(ClientId client, const std::string& text);

@@ -43,7 +43,7 @@ void LiveRun::add_map(std::int64_t stamp_ns, const ParticleFilter& filter) {
     if (!map_is_fixed_) {
         messages_.add_map(stamp_ns, map_raster(filter.map()));
     }
-    messages_.add_path(stamp_ns, filter.trajectory());
+    messages_.add_path(stamp_ns, filter);
     const Clock::time_point end = Clock::now();
     map_due_ = end + std::max<Clock::duration>(least_map_interval, map_time_share * (end - start));
 }

@@ -17,7 +17,7 @@ LiveServer::LiveServer(const std::string& address, std::uint16_t port)
                     .closed = [this](ClientId client) { broadcast_.closed(client); },
                     .received = [this](ClientId client, const std::string& payload,
                                        bool is_text) { broadcast_.received(client, payload, is_text); },
-                    .tick = [this] { broadcast_.catch_up(); }});
+                    .tick = [this] { broadcast_.catch_up(Broadcast::Clock::now()); }});
 }
 
 void LiveServer::put(const std::string& topic, const char* type_name, std::int64_t stamp_ns,

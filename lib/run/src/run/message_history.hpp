@@ -24,6 +24,8 @@ public:
     static constexpr std::size_t most_kept = 8192;
 
     void add(std::shared_ptr<const LiveMessage> message);
+    /// Of the first message; there must be one.
+    [[nodiscard]] std::int64_t first_stamp_ns() const { return kept_.front()->stamp_ns; }
     /// The messages that are kept, the oldest first, and the latest message.
     [[nodiscard]] std::vector<std::shared_ptr<const LiveMessage>> messages() const;
 

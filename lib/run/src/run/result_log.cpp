@@ -17,7 +17,7 @@ void ResultLog::add(const SensorFrame& frame, const std::optional<Update>& updat
         messages_.add(frame, *update);
         if (map_is_due(stamp_ns)) {
             messages_.add_map(stamp_ns, map_raster(filter.map()));
-            messages_.add_path(stamp_ns, filter.trajectory());
+            messages_.add_path(stamp_ns, filter);
             map_written_ns_ = stamp_ns;
         }
         start_ns_ = start_ns_.value_or(stamp_ns);

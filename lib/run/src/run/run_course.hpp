@@ -44,7 +44,7 @@ public:
 private:
     void halve();
 
-    std::size_t most_ = 1U << 16U;
+    std::size_t most_ = 1U << 14U;
     std::size_t every_ = 1;  ///< one update of this many is kept
     std::size_t seen_ = 0;
     std::vector<UpdateSummary> updates_;

@@ -14,24 +14,9 @@ constexpr const char* robot_frame = "base_link";
 constexpr const char* laser_frame = "laser";
 
 /// The path is thinned to poses at least this far apart, since closer ones cannot be told apart in a picture, and to at
-/// most about this many poses.
+/// most about this many poses. A screen is not wider in pixels, and a robot sends the path once per second.
 constexpr double path_step_m = 0.1;
-constexpr double most_path_poses = 65'536.0;
-
-/// The poses of the path that are one step apart, and the last pose.
-Trajectory thinned(const Trajectory& path) {
-    const double step_m = std::max(path_step_m, path_length_m(path) / most_path_poses);
-    Trajectory kept;
-    for (const StampedPose& pose : path) {
-        if (kept.empty() || distance_m(kept.back().pose, pose.pose) >= step_m) {
-            kept.push_back(pose);
-        }
-    }
-    if (!kept.empty() && kept.back().stamp_ns != path.back().stamp_ns) {
-        kept.push_back(path.back());
-    }
-    return kept;
-}
+constexpr double most_path_poses = 8192.0;
 
 }  // namespace
 
@@ -106,10 +91,35 @@ void RunMessages::add_map(std::int64_t stamp_ns, const MapRaster& map) {
     sink_.write("/map", stamp_ns, message);
 }
 
+void RunMessages::add_path(std::int64_t stamp_ns, const ParticleFilter& filter) {
+    write_path(stamp_ns, [&](const PoseVisitor& visit) { filter.visit_trajectory(visit); });
+}
+
 void RunMessages::add_path(std::int64_t stamp_ns, const Trajectory& path) {
+    write_path(stamp_ns, [&](const PoseVisitor& visit) { std::ranges::for_each(path, visit); });
+}
+
+void RunMessages::write_path(std::int64_t stamp_ns, const std::function<void(const PoseVisitor&)>& path) {
+    double length_m = 0.0;
+    std::optional<StampedPose> last;
+    path([&](const StampedPose& pose) {
+        length_m += last ? distance_m(last->pose, pose.pose) : 0.0;
+        last = pose;
+    });
+    const double step_m = std::max(path_step_m, length_m / most_path_poses);
     RosPath message{.header = {{stamp_ns}, map_frame}, .poses = {}};
-    for (const StampedPose& pose : thinned(path)) {
+    std::optional<StampedPose> kept;
+    const auto keep = [&](const StampedPose& pose) {
         message.poses.push_back(pose_message(pose.stamp_ns, map_frame, pose.pose));
+        kept = pose;
+    };
+    path([&](const StampedPose& pose) {
+        if (!kept || distance_m(kept->pose, pose.pose) >= step_m) {
+            keep(pose);
+        }
+    });
+    if (kept && kept->stamp_ns != last->stamp_ns) {
+        keep(*last);
     }
     sink_.write("/path", stamp_ns, message);
 }

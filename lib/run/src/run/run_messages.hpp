@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 
 #include "ddtool/filter/particle_filter.hpp"
@@ -30,12 +31,16 @@ public:
     /// Publishes the map as it is now.
     void add_map(std::int64_t stamp_ns, const MapRaster& map);
     /// Publishes the path as it is now.
+    void add_path(std::int64_t stamp_ns, const ParticleFilter& filter);
+    /// Publishes the path of the end of the run.
     void add_path(std::int64_t stamp_ns, const Trajectory& path);
 
 private:
     void write_transforms(const SensorFrame& frame, const Pose2& map_from_robot);
     void write_degeneracy(const UpdateSummary& update);
     void write_particles(const ParticleSnapshot& swarm);
+    /// `path` calls its argument with one pose after the other, each time it is called.
+    void write_path(std::int64_t stamp_ns, const std::function<void(const PoseVisitor&)>& path);
 
     Ros2Sink& sink_;
     Reader reader_;

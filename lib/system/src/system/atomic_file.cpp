@@ -3,9 +3,9 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
 #include <cstring>
-#include <sstream>
 #include <string>
 #include <utility>
 
@@ -98,12 +98,18 @@ std::string read_file(const std::filesystem::path& path) {
     if (!stream) {
         throw Error(failure(path, "read"));
     }
-    std::ostringstream content;
-    content << stream.rdbuf();
-    if (stream.bad() || errno != 0) {  // opening a folder succeeds, but reading it fails
+    // errno alone tells nothing: what succeeds may leave something in it, as an allocation does that finds another
+    // place.
+    std::string content;
+    std::array<char, std::size_t{1} << 16U> block;
+    do {
+        stream.read(block.data(), block.size());
+        content.append(block.data(), static_cast<std::size_t>(stream.gcount()));
+    } while (stream);
+    if (stream.bad()) {  // opening a folder succeeds, but reading it fails
         throw Error(failure(path, "read"));
     }
-    return std::move(content).str();
+    return content;
 }
 
 }  // namespace ddtool

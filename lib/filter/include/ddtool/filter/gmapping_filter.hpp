@@ -80,7 +80,7 @@ public:
     [[nodiscard]] const OccupancyGrid& map() const override { return best().grid; }
     [[nodiscard]] Pose2 pose() const override;
     [[nodiscard]] Eigen::Matrix3d pose_covariance() const override;
-    [[nodiscard]] Trajectory trajectory() const override;
+    void visit_trajectory(const PoseVisitor& visit) const override;
 
 private:
     /// A scan as the filter uses it, with its laser's frame turned so that x points to the middle of the scan.

@@ -32,7 +32,13 @@ public:
     /// of the odometry since. Needs an update before it.
     [[nodiscard]] virtual Eigen::Matrix3d pose_covariance() const = 0;
     /// A pose for every scan so far, from the past of the best particle.
-    [[nodiscard]] virtual Trajectory trajectory() const = 0;
+    [[nodiscard]] Trajectory trajectory() const {
+        Trajectory all;
+        visit_trajectory([&](const StampedPose& pose) { all.push_back(pose); });
+        return all;
+    }
+    /// Calls `visit` with each pose of trajectory(), without a copy of them all, which a long drive makes large.
+    virtual void visit_trajectory(const PoseVisitor& visit) const = 0;
     /// What has been learnt of the odometry; empty if the method learns nothing of it.
     [[nodiscard]] virtual std::optional<OdometryState> odometry_state() const { return std::nullopt; }
 };

@@ -40,8 +40,8 @@ public:
     /// Odometry motion since the last update, in the robot's frame at that update. Needs an update before it.
     [[nodiscard]] const Pose2& motion_since_update() const { return scans_.back().motion; }
     [[nodiscard]] std::int64_t last_stamp_ns() const { return scans_.back().stamp_ns; }
-    /// A pose for every scan so far, from the past of one particle.
-    [[nodiscard]] Trajectory trajectory(Node node) const;
+    /// Calls `visit` with a pose for every scan so far, from the past of one particle.
+    void visit_trajectory(Node node, const PoseVisitor& visit) const;
     /// From time to time, frees memory of the past that all these particles share. Call it after each update with the
     /// nodes of all particles.
     void settle(std::span<const Node> particles);

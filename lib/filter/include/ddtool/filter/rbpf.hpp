@@ -94,7 +94,7 @@ public:
     [[nodiscard]] const OccupancyGrid& map() const override { return grid_of(best()); }
     [[nodiscard]] Pose2 pose() const override;
     [[nodiscard]] Eigen::Matrix3d pose_covariance() const override;
-    [[nodiscard]] Trajectory trajectory() const override;
+    void visit_trajectory(const PoseVisitor& visit) const override;
     [[nodiscard]] std::optional<OdometryState> odometry_state() const override { return odometry_->state(); }
 
 private:

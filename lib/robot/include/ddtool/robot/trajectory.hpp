@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -16,6 +17,9 @@ struct StampedPose {
 /// Poses in the order in which the robot passed them. Stamps usually rise, but in some old logs they step back (in the
 /// log Intel by up to 0.9 s).
 using Trajectory = std::vector<StampedPose>;
+
+/// Is called with one pose of a trajectory after the other.
+using PoseVisitor = std::function<void(const StampedPose&)>;
 
 /// The length of the path in metres: the sum of the distances between consecutive positions.
 double path_length_m(const Trajectory& trajectory);
