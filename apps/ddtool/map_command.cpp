@@ -9,6 +9,7 @@
 #include "maps/any_map.hpp"
 #include "maps/map_edit.hpp"
 #include "maps/ply_file.hpp"
+#include "merging/map_merge.hpp"
 #include "number_list.hpp"
 #include "report/map_files.hpp"
 #include "report/map_picture.hpp"
@@ -20,8 +21,10 @@
 namespace ddtool {
 namespace {
 
+constexpr const char* merge_word = "merge";
+
 struct MapRequest {
-    std::string file;
+    std::vector<std::string> words;
     std::string crop;
     std::string origin;
     std::size_t ghosts = 5;
@@ -144,8 +147,55 @@ void export_map(const maps::SavedMap& map, const MapRaster& raster, const std::f
     log_info("written to " + folder.string() + ": " + names);
 }
 
-ExitCode map(const MapRequest& request) {
-    maps::SavedMap map = maps::read_any_map(request.file);
+/// The map of two files. What cannot be merged is told with both their names.
+maps::SavedMap merged_map(const std::string& first_file, const std::string& second_file) {
+    const maps::SavedMap first = maps::read_any_map(first_file);
+    const maps::SavedMap second = maps::read_any_map(second_file);
+    try {
+        merging::Merged merged = merging::merged(first, second);
+        const Pose2& origin = merged.first_from_second;
+        log_info("merged: the origin of " + second_file + " lies at (" + fixed_text(origin.x_m, 2) + ", " +
+                 fixed_text(origin.y_m, 2) + ", " + fixed_text(origin.theta_rad, 3) + " rad) of " + first_file + "; " +
+                 std::to_string(merged.agreeing) + " of " + std::to_string(merged.compared) +
+                 " windows of it overlap and agree, and " + fixed_text(100.0 * merged.agreed, 1) +
+                 " % of the walls that both show; " + std::to_string(merged.seams) +
+                 " edges between them, which moved the poses of " + first_file + " by up to " +
+                 fixed_text(merged.most_moved_m, 3) + " m");
+        return std::move(merged.map);
+    } catch (const MapTooLarge&) {
+        throw;
+    } catch (const Error& error) {
+        throw Error(first_file + " and " + second_file + " cannot be merged: " + error.what());
+    }
+}
+
+/// The map that the words of the command line name, and how messages call it.
+std::pair<maps::SavedMap, std::string> wanted_map(MapRequest& request) {
+    const std::vector<std::string>& words = request.words;
+    if (words.size() == 1) {
+        return {maps::read_any_map(words[0]), words[0]};
+    }
+    if (words[0] != merge_word) {
+        throw UsageError("map: unexpected argument '" + words[1] + "'; expected one FILE, or merge A B OUT");
+    }
+    if (words.size() < 3 || words.size() > 4) {
+        throw UsageError("map merge: " + std::to_string(words.size() - 1) +
+                         " files; expected the two maps and the file to write, or the two maps and --out");
+    }
+    if (words.size() == 4) {
+        if (!request.out.empty()) {
+            throw UsageError("map merge: " + words[3] + " and --out " + request.out + "; expected one file to write");
+        }
+        request.out = words[3];
+    }
+    if (request.out.empty() && request.draw.empty() && request.folder.empty()) {
+        throw UsageError("map merge: the map would be written nowhere; expected OUT, --export or --draw");
+    }
+    return {merged_map(words[1], words[2]), request.out.empty() ? words[1] + " + " + words[2] : request.out};
+}
+
+ExitCode map(MapRequest request) {
+    auto [map, name] = wanted_map(request);
     const bool changed = change(map, request);
     if (changed && request.out.empty() && request.draw.empty() && request.folder.empty()) {
         throw UsageError("map: the map would be changed, but written nowhere; expected --out, --export or --draw");
@@ -162,7 +212,7 @@ ExitCode map(const MapRequest& request) {
         write_map_picture(request.draw, raster, path_of(map));
         log_info("written: " + request.draw);
     }
-    const Json about = map_json(request.file, map, raster);
+    const Json about = map_json(name, map, raster);
     std::cout << (request.as_json ? about.dump(2) + "\n" : map_text(about));
     return ExitCode::done;
 }
@@ -172,11 +222,14 @@ ExitCode map(const MapRequest& request) {
 Command map_command() {
     const auto request = std::make_shared<MapRequest>();
     return {.name = "map",
-            .summary = "What is in a saved map; draw, export, crop and clean it",
+            .summary = "What is in a saved map; draw, export, crop, clean it, merge two",
             .example = "ddtool map run/map.ddmap --remove-ghosts --out clean.ddmap",
             .options =
                 {
-                    {"FILE", &request->file, saved_map_help, "FILE", Presence::required},
+                    {"FILE", &request->words,
+                     std::string(saved_map_help) + "; or merge A B OUT: make one map of two that show the same place "
+                                                   "in part",
+                     "FILE", Presence::required},
                     {"--crop", &request->crop, "Keep only what lies in this rectangle, in metres in the map",
                      "X_MIN,Y_MIN,X_MAX,Y_MAX"},
                     {.name = "--remove-ghosts",

@@ -3,6 +3,7 @@
 #include "dataset/build_settings.hpp"
 #include "localization/localization_settings.hpp"
 #include "log_options.hpp"
+#include "maps/going_on.hpp"
 #include "methods/settings_json.hpp"
 #include "sim/simulation_json.hpp"
 #include "study/ablation/plan.hpp"
@@ -26,7 +27,10 @@ Setting back_end_setting() {
 }  // namespace
 
 Json default_slam_settings() {
-    return {{"log", default_log_settings()}, {"filter", filter_settings_json({})}, {"back_end", "none"}};
+    return {{"log", default_log_settings()},
+            {"filter", filter_settings_json({})},
+            {"back_end", "none"},
+            {maps::going_on_name, maps::going_on_json({})}};
 }
 
 Json default_localize_settings() {
@@ -48,7 +52,8 @@ std::vector<SettingList> setting_lists() {
     localize.insert(localize.end(), in_map.begin(), in_map.end());
     return {
         {"slam",
-         {group("log", log_setting_list()), group("filter", filter_setting_list()), back_end_setting()},
+         {group("log", log_setting_list()), group("filter", filter_setting_list()), back_end_setting(),
+          group(maps::going_on_name, maps::going_on_setting_list())},
          default_slam_settings()},
         {"localize", std::move(localize), default_localize_settings()},
         {"simulate", sim::simulation_setting_list(), sim::default_simulation_json()},

@@ -14,7 +14,9 @@
 #include "graph/node_recorder.hpp"
 #include "live_run_options.hpp"
 #include "localization/localizer.hpp"
+#include "maps/going_on.hpp"
 #include "maps/map_file.hpp"
+#include "merging/next_drive.hpp"
 #include "methods/settings_json.hpp"
 #include "number_list.hpp"
 #include "output_folder.hpp"
@@ -48,6 +50,7 @@ struct Listeners {
     check::SelfCheck& check;
     graph::NodeRecorder& recorder;
     graph::BackEnd* back_end = nullptr;
+    std::vector<graph::Node>* nodes = nullptr;  ///< of a run that goes on with a map; else they go to the folder
     Served* served = nullptr;
     RobotLink* robot = nullptr;
 };
@@ -56,7 +59,7 @@ struct Listeners {
 /// returned before the pictures are drawn.
 FilterRun run_over(DrivenScans& scans, std::unique_ptr<ParticleFilter> filter, const InterruptRequest& interrupt,
                    const Listeners& listeners) {
-    const auto& [folder, check, recorder, back_end, served, robot] = listeners;
+    const auto& [folder, check, recorder, back_end, nodes, served, robot] = listeners;
     Progress progress("slam", "scans");
     PlacedScans placed = placed_scans(scans, *filter, robot);
     const auto* const localizer = dynamic_cast<const localization::Localizer*>(filter.get());
@@ -70,9 +73,13 @@ FilterRun run_over(DrivenScans& scans, std::unique_ptr<ParticleFilter> filter, c
         folder.add(frame, update, *filter);
         check.add(frame, update);
         if (std::optional<graph::Node> node = recorder.add(frame, update); node && was_mapping) {
-            folder.add(*node);
-            if (back_end != nullptr) {
-                back_end->add(std::move(*node));
+            if (nodes != nullptr) {
+                nodes->push_back(std::move(*node));
+            } else {
+                folder.add(*node);
+                if (back_end != nullptr) {
+                    back_end->add(std::move(*node));
+                }
             }
         }
         if (!was_mapping && maps_now()) {
@@ -153,7 +160,31 @@ std::unique_ptr<ParticleFilter> filter_of(const SlamRequest& request, const Filt
     return std::make_unique<localization::Localizer>(
         settings.rbpf, localization::ModeResamplingSettings{.least_particles = settings.rbpf.particles}, threads,
         make_strategies(settings, detectors), std::make_shared<const OccupancyGrid>(before->grid), start,
-        localization::MapUse::going_on);
+        localization::MapUse::going_on);  // copies of the grid fade as it does
+}
+
+/// Adds the run to the map that it went on with. Empty if no scan of it entered the map.
+std::optional<merging::Added> add_to(maps::SavedMap& before, const std::string& log, const FilterRun& run,
+                                     std::vector<graph::Node> nodes, const Json& settings,
+                                     const maps::GoingOnSettings& going_on) {
+    std::vector<maps::MapNode> placed;
+    for (graph::Node& node : nodes) {
+        if (node.scan < run.trajectory.size()) {
+            const Pose2& pose = run.trajectory[node.scan].pose;
+            placed.push_back({.drive = 0, .scan = std::move(node), .pose = pose});
+        }
+    }
+    if (placed.empty()) {
+        return std::nullopt;
+    }
+    before.settings = settings;
+    const merging::Added added =
+        merging::add_drive(before, {.log = log, .odometry = run.odometry}, std::move(placed), run.map, going_on);
+    log_info("the map has " + std::to_string(before.nodes.size()) + " scans of " +
+             std::to_string(before.drives.size()) + " drives now; this one is tied to those of before by " +
+             std::to_string(added.seams) + " edges, and made " + std::to_string(added.dropped) +
+             " scans of before needless");
+    return added;
 }
 
 ExitCode slam(const SlamRequest& request, const Json& settings) {
@@ -164,9 +195,11 @@ ExitCode slam(const SlamRequest& request, const Json& settings) {
     if (back_end && !request.map.empty()) {
         throw UsageError("--back-end: expected none with --map: the graph of a run cannot hold the map of before");
     }
-    const std::optional<maps::SavedMap> before = map_before(request, filter_settings.rbpf.grid);
+    const maps::GoingOnSettings going_on = maps::going_on_from_json(settings.at(maps::going_on_name));
+    std::optional<maps::SavedMap> before = map_before(request, filter_settings.rbpf.grid);
     if (before) {
         filter_settings.rbpf.grid = before->grid.settings();
+        before->grid.fade(going_on.half_life_scans);
     }
     ThreadPool threads(request.threads);
     const auto truth = std::make_shared<ScanTruth>();
@@ -183,11 +216,15 @@ ExitCode slam(const SlamRequest& request, const Json& settings) {
     scans.tell_truth(truth);
     const OutputFolder output(request.folder, name_of_results(source));
     RunFolder folder(output.path(), request.with_snapshots);
-    folder.begin_map_file(program_version(), settings, filter_settings.rbpf.grid, before ? &*before : nullptr);
+    std::vector<graph::Node> nodes;
+    if (!before) {
+        folder.begin_map_file(program_version(), settings, filter_settings.rbpf.grid);
+    }
     check::SelfCheck check;
     graph::NodeRecorder recorder(filter_settings.rbpf);
     FilterRun result = run_over(scans, std::move(filter), interrupt,
-                                {folder, check, recorder, back_end ? &*back_end : nullptr, served.get(), robot.get()});
+                                {folder, check, recorder, back_end ? &*back_end : nullptr, before ? &nodes : nullptr,
+                                 served.get(), robot.get()});
     return_freed_memory();  // returns the memory of the particles' maps before the pictures are drawn
     if (result.trajectory.empty()) {
         throw Error(source + ": no scans that can be used");
@@ -204,7 +241,13 @@ ExitCode slam(const SlamRequest& request, const Json& settings) {
     }
     folder.finish(result, map);
     folder.write_back_end(results_of_back_end ? &*results_of_back_end : nullptr);
-    folder.finish_map_file(source, result, results_of_back_end ? &results_of_back_end->smoothed.graph : nullptr);
+    std::optional<merging::Added> added;
+    if (before) {
+        added = add_to(*before, source, result, std::move(nodes), settings, going_on);
+        folder.write_map_file(program_version(), *before);
+    } else {
+        folder.finish_map_file(source, result, results_of_back_end ? &results_of_back_end->smoothed.graph : nullptr);
+    }
     folder.write_json("config.json", settings);
     const RunSummary run = run_summary(result, map, folder.course(), folder.write_s());
     const RunCost cost = run_cost(request.threads, start);
@@ -231,7 +274,7 @@ ExitCode slam(const SlamRequest& request, const Json& settings) {
         losses.insert(losses.end(), of_robot.begin(), of_robot.end());
     }
     const std::vector<std::string> doubts = doubts_of(verdict);
-    if (before && folder.scans_in_map() == 0) {
+    if (before && !added) {
         losses.push_back(source + ": the robot was never sure of its place in " + request.map +
                          ": nothing was added to the map");
     }

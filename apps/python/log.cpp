@@ -113,7 +113,8 @@ std::function<void(double)> watch_for_signals() {
 std::shared_ptr<HeldLog> make_log(const py::object& path, const std::optional<py::dict>& settings) {
     Json all{{"log", default_log_settings()}};
     Json given = settings ? json_from(*settings) : Json::object();
-    for (const char* group : {"filter", "localization", "back_end"}) {  // so that the config.json of a run fits
+    for (const char* group :
+         {"filter", "localization", "back_end", "going_on"}) {  // so that the config.json of a run fits
         given.erase(group);
     }
     merge_settings(all, given, "settings");

@@ -8,6 +8,7 @@
 #include "localization/localization_settings.hpp"
 #include "logs/stream/log_settings.hpp"
 #include "maps/any_map.hpp"
+#include "maps/going_on.hpp"
 #include "methods/settings_json.hpp"
 #include "swarm.hpp"
 #include "trajectory.hpp"
@@ -54,8 +55,11 @@ std::unique_ptr<Slam> make_slam(const std::optional<std::string>& method, const 
                                 const std::optional<std::uint64_t>& seed, const py::object& detector,
                                 const std::optional<py::dict>& settings, std::size_t threads) {
     const CommonArguments given{method, particles, seed, detector_from(detector), settings};
-    Json all =
-        merged({{"log", default_log_settings()}, {"filter", filter_settings_json({})}, {"back_end", "none"}}, given);
+    Json all = merged({{"log", default_log_settings()},
+                       {"filter", filter_settings_json({})},
+                       {"back_end", "none"},
+                       {maps::going_on_name, maps::going_on_json({})}},
+                      given);
     if (all.at("back_end") != "none") {
         throw UsageError("back_end: expected none; the pose graph runs in `ddtool slam` alone");
     }

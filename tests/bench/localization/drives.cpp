@@ -1,12 +1,14 @@
 #include "drives.hpp"
 
 #include <cmath>
+#include <ostream>
 
 #include "ddtool/filter/filter_run.hpp"
 #include "ddtool/filter/scan_insertion.hpp"
 #include "ddtool/methods/method.hpp"
 #include "scores/absolute_error.hpp"
 #include "sim/world_catalogue.hpp"
+#include "system/atomic_file.hpp"
 
 namespace ddtool::localization_bench {
 namespace {
@@ -90,6 +92,42 @@ MadeMap true_map_of(const std::vector<SensorFrame>& frames) {
         }
     }
     return {.grid = std::make_shared<const OccupancyGrid>(std::move(grid)), .map_from_world = map_from_world};
+}
+
+void write_map(const std::filesystem::path& folder, const Place& place, const MadeMap& map) {
+    const CellBox box = map.grid->observed_box();
+    const double cell_m = map.grid->cell_size_m();
+    write_file(folder / (place.name + ".map"), [&](std::ostream& out) {
+        out << cell_m << ' ' << box.x_max - box.x_min << ' ' << box.y_max - box.y_min << ' ' << box.x_min * cell_m
+            << ' ' << box.y_min * cell_m << '\n';
+        for (int y = box.y_min; y < box.y_max; ++y) {
+            for (int x = box.x_min; x < box.x_max; ++x) {
+                const std::int8_t odds = map.grid->log_odds({x, y});
+                out << (odds == Patch::unknown ? '?' : odds > 0 ? '#' : '.');
+            }
+            out << '\n';
+        }
+    });
+}
+
+void write_drive(const std::filesystem::path& folder, const Place& place, const MadeMap& map, std::uint64_t seed,
+                 const std::vector<SensorFrame>& frames) {
+    write_file(folder / (place.name + "-" + std::to_string(seed) + ".drive"), [&](std::ostream& out) {
+        out.precision(9);
+        const auto write_pose = [&](const Pose2& pose) {
+            out << pose.x_m << ' ' << pose.y_m << ' ' << pose.theta_rad << ' ';
+        };
+        for (const SensorFrame& frame : frames) {
+            const ScanPoints points = scan_points(frame, {});
+            write_pose(frame.odom_from_robot);
+            write_pose(map.map_from_world * *frame.world_from_robot);
+            out << points.size();
+            for (std::size_t i = 0; i < points.size(); ++i) {
+                out << ' ' << points.x_m[i] << ' ' << points.y_m[i];
+            }
+            out << '\n';
+        }
+    });
 }
 
 }  // namespace ddtool::localization_bench

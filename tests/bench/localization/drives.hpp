@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <vector>
@@ -37,5 +39,13 @@ MadeMap map_of(const std::vector<SensorFrame>& frames);
 
 /// The map that the scans give at their true poses: what is left is the error of the localisation alone.
 MadeMap true_map_of(const std::vector<SensorFrame>& frames);
+
+/// Writes a map and drives in it as text, to measure other programs on them. FOLDER/NAME.map: cell size in m, columns,
+/// rows, x and y of the lower left corner, then the rows from below: # occupied, . free, ? unknown.
+/// FOLDER/NAME-SEED.drive, a line for each scan: the odometry's x, y, theta, the true ones in the map, and how many
+/// points follow, x and y of each in the robot's frame.
+void write_map(const std::filesystem::path& folder, const Place& place, const MadeMap& map);
+void write_drive(const std::filesystem::path& folder, const Place& place, const MadeMap& map, std::uint64_t seed,
+                 const std::vector<SensorFrame>& frames);
 
 }  // namespace ddtool::localization_bench

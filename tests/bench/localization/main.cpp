@@ -7,6 +7,7 @@
 
 #include "base/text.hpp"
 #include "ddtool/base/random.hpp"
+#include "system/folder.hpp"
 #include "trials.hpp"
 
 namespace ddtool::localization_bench {
@@ -20,6 +21,7 @@ struct Plan {
     std::size_t kidnappings = 50;
     double way_m = 10.0;
     std::vector<std::string> settings;
+    std::string folder;  ///< for maps and drives as text; empty: none
     bool true_maps = false;
     bool with_mapping = false;
     bool quick = false;
@@ -48,9 +50,15 @@ void follow_all(const Plan& plan, const localization::LocalizationSettings& sett
     for (const std::string& name : plan.followed) {
         const Place place = place_of(name);
         const MadeMap map = made_map(plan, place);
+        if (!plan.folder.empty()) {
+            write_map(made_folder(plan.folder), place, map);
+        }
         std::vector<double> ate, worst, position, heading, sure, cpu, particles, mapping;
         for (std::size_t drive = 0; drive < plan.drives; ++drive) {
             const std::vector<SensorFrame> frames = frames_of(drive_of(place, 2 + drive));
+            if (!plan.folder.empty()) {
+                write_drive(plan.folder, place, map, 2 + drive, frames);
+            }
             const Followed one = follow(map, frames, settings);
             if (plan.with_mapping) {
                 mapping.push_back(map_of(frames).ate_from_start_m);
@@ -173,6 +181,8 @@ int main(int argc, char** argv) {
     app.add_option("--kidnappings", plan.kidnappings, "Kidnappings in each world")->capture_default_str();
     app.add_option("--way", plan.way_m, "Metres driven after a start or a kidnapping")->capture_default_str();
     app.add_option("--set", plan.settings, "A setting, such as localization.kld_error=0.05; may be repeated");
+    app.add_option("--write", plan.folder,
+                   "Folder for the followed maps and drives as text, to measure other programs");
     app.add_flag("--true-maps", plan.true_maps, "Maps drawn at the true poses, without the errors of mapping");
     app.add_flag("--with-mapping", plan.with_mapping,
                  "Also the ATE of the followed drives from their start when they are mapped");

@@ -13,6 +13,7 @@
 #include "ddtool/base/error.hpp"
 #include "localization/localization_settings.hpp"
 #include "log_options.hpp"
+#include "maps/going_on.hpp"
 #include "methods/settings_json.hpp"
 #include "sim/simulation_json.hpp"
 #include "study/ablation/plan.hpp"
@@ -32,6 +33,7 @@ const std::map<std::string, Reader>& readers() {
              (void)log_options(settings.at("log"));
              (void)filter_settings_from_json(settings.at("filter"));
              (void)asks_for_graph(settings);
+             (void)maps::going_on_from_json(settings.at(maps::going_on_name));
          }},
         {"localize",
          [](const Json& settings) {

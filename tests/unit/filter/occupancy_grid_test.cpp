@@ -169,6 +169,30 @@ TEST(OccupancyGrid, LogOddsAreTheClampedSumOfSteps) {
     });
 }
 
+/// How many passing beams it takes until a cell with so many hits is free.
+int passes_until_free(int hits, int half_life_scans) {
+    OccupancyGrid grid{OccupancySettings{}};
+    grid.reserve({0, 0, 1, 1});
+    for (int hit = 0; hit < hits; ++hit) {
+        grid.add_hit({0, 0}, {});
+    }
+    grid.fade(half_life_scans);
+    int passes = 0;
+    for (; grid.occupied({0, 0}); ++passes) {
+        grid.add_free(0, 0, 1);
+    }
+    return passes;
+}
+
+TEST(OccupancyGrid, FadingWallsGoSooner) {
+    EXPECT_EQ(passes_until_free(100, 0), OccupancySettings{}.max_log_odds);
+    EXPECT_LT(passes_until_free(100, 5), 25);
+    EXPECT_GT(passes_until_free(100, 5), 10);
+    EXPECT_LT(passes_until_free(100, 2), passes_until_free(100, 5));
+    // A single hit counts for as many passing beams as ever, so that it does not matter how walls come to be known.
+    EXPECT_EQ(passes_until_free(1, 5), OccupancySettings{}.hit_step);
+}
+
 TEST(OccupancyGrid, GrowthInEveryDirectionKeepsTheContent) {
     const OccupancyGrid before = observed_grid(4);
     const CellBox wide = widened(region, 150);

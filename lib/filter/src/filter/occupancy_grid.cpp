@@ -150,6 +150,7 @@ void OccupancyGrid::reserve(const CellBox& box) {
     }
     OccupancyGrid larger(settings_);
     larger.version_ = version_;
+    larger.kept_of_256_ = kept_of_256_;
     const bool fresh = columns_ == 0;
     larger.first_column_ = fresh ? columns.first : std::min(columns.first, first_column_);
     larger.first_row_ = fresh ? rows.first : std::min(rows.first, first_row_);
@@ -244,11 +245,23 @@ void OccupancyGrid::add_free(int y, int x_begin, int x_end) {
     }
 }
 
+void OccupancyGrid::fade(int half_life_scans) {
+    kept_of_256_ =
+        half_life_scans <= 0 ? 256 : static_cast<int>(std::lround(256.0 * std::exp2(-1.0 / half_life_scans)));
+}
+
 /// Lowers the log odds of a run of cells by one observation as free. Returns whether one of the cells was occupied.
 bool OccupancyGrid::lower(std::int8_t* cells, int length) const {
     const auto step = static_cast<std::int8_t>(settings_.free_step);
     const auto floor = static_cast<std::int8_t>(settings_.min_log_odds);
     int was_occupied = 0;
+    if (kept_of_256_ < 256) {
+        for (int i = 0; i < length; ++i) {
+            if (cells[i] > 0) {  // rounded up, so that weak evidence fades by free_step alone
+                cells[i] = static_cast<std::int8_t>((cells[i] * kept_of_256_ + 255) >> 8);
+            }
+        }
+    }
     for (int i = 0; i < length; ++i) {
         const std::int8_t value = cells[i];
         was_occupied |= static_cast<int>(value > 0);

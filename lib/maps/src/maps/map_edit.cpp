@@ -57,21 +57,6 @@ graph::PackedScan thinned(const graph::PackedScan& scan, const std::function<boo
     return graph::PackedScan(points);
 }
 
-void keep_nodes(SavedMap& map, const std::vector<bool>& kept) {
-    std::vector<std::size_t> number(map.nodes.size());
-    std::size_t next = 0;
-    for (std::size_t node = 0; node < map.nodes.size(); ++node) {
-        number[node] = next;
-        next += kept[node] ? 1 : 0;
-    }
-    keep(map.nodes, kept);
-    std::erase_if(map.edges, [&](const MapEdge& edge) { return !kept[edge.edge.from] || !kept[edge.edge.to]; });
-    for (MapEdge& edge : map.edges) {
-        edge.edge.from = number[edge.edge.from];
-        edge.edge.to = number[edge.edge.to];
-    }
-}
-
 /// The cells of a grid moved by a pose. Free cells are looked up backwards, so that turning leaves no holes.
 OccupancyGrid moved(const OccupancyGrid& grid, const Pose2& new_from_old) {
     OccupancyGrid result(grid.settings());
@@ -121,6 +106,21 @@ OccupancyGrid moved(const OccupancyGrid& grid, const Pose2& new_from_old) {
 
 }  // namespace
 
+void keep_nodes(SavedMap& map, const std::vector<bool>& kept) {
+    std::vector<std::size_t> number(map.nodes.size());
+    std::size_t next = 0;
+    for (std::size_t node = 0; node < map.nodes.size(); ++node) {
+        number[node] = next;
+        next += kept[node] ? 1 : 0;
+    }
+    keep(map.nodes, kept);
+    std::erase_if(map.edges, [&](const MapEdge& edge) { return !kept[edge.edge.from] || !kept[edge.edge.to]; });
+    for (MapEdge& edge : map.edges) {
+        edge.edge.from = number[edge.edge.from];
+        edge.edge.to = number[edge.edge.to];
+    }
+}
+
 std::size_t crop(SavedMap& map, const Area& area) {
     const double cell_m = map.grid.cell_size_m();
     const CellBox box = map.grid.observed_box();
@@ -148,7 +148,7 @@ void set_origin(SavedMap& map, const Pose2& origin) {
     for (MapNode& node : map.nodes) {
         node.pose = new_from_old * node.pose;
     }
-    map.grid = map.nodes.empty() ? moved(map.grid, new_from_old) : drawn(map.nodes, map.grid.settings());
+    map.grid = map.nodes.empty() ? moved(map.grid, new_from_old) : drawn(map);
 }
 
 std::size_t remove_ghosts(SavedMap& map, int see_throughs) {
@@ -168,7 +168,7 @@ std::size_t remove_ghosts(SavedMap& map, int see_throughs) {
             node.scan.points, [&](const Point2& point) { return solid.occupied(cell_of(node.pose * point, cell_m)); });
     }
     const OccupancyGrid before = map.grid;
-    map.grid = drawn(map.nodes, map.grid.settings());
+    map.grid = drawn(map);
     std::size_t removed = 0;
     const CellBox box = before.observed_box();
     for (int y = box.y_min; y < box.y_max; ++y) {

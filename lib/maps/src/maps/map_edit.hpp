@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <vector>
 
 #include "maps/saved_map.hpp"
 
@@ -14,6 +15,10 @@ struct Area {
         return point.x_m >= x_min_m && point.x_m <= x_max_m && point.y_m >= y_min_m && point.y_m <= y_max_m;
     }
 };
+
+/// Keeps some of the nodes, and the edges between these.
+/// \param kept for each node of the map
+void keep_nodes(SavedMap& map, const std::vector<bool>& kept);
 
 /// Takes out what lies outside of the area: cells, scans that were taken there, and the points of the others that end
 /// there, so that a map drawn anew has the same limits. Returns how many scans are left.

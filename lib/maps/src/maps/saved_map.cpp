@@ -2,6 +2,7 @@
 
 #include "ddtool/filter/learnt_odometry.hpp"
 #include "ddtool/filter/scan_insertion.hpp"
+#include "maps/going_on.hpp"
 
 namespace ddtool::maps {
 namespace {
@@ -64,10 +65,32 @@ graph::PoseGraph graph_of(const SavedMap& map) {
     return graph;
 }
 
+std::vector<MapEdge> edges_or_odometry(const SavedMap& map) {
+    std::vector<MapEdge> edges = map.edges;
+    if (edges.empty()) {
+        for (const graph::RelativeEdge& edge : graph_of(map).matches) {
+            edges.push_back({MapEdge::Kind::odometry, edge});
+        }
+    }
+    return edges;
+}
+
 OccupancyGrid drawn(const std::vector<MapNode>& nodes, const OccupancySettings& cells) {
     OccupancyGrid grid(cells);
     ScanInserter inserter;
     for (const MapNode& node : nodes) {
+        inserter.insert(grid, node.scan.points.unpacked(), node.pose);
+    }
+    return grid;
+}
+
+OccupancyGrid drawn(const SavedMap& map) {
+    OccupancyGrid grid(map.grid.settings());
+    ScanInserter inserter;
+    for (const MapNode& node : map.nodes) {
+        if (node.drive != map.nodes.front().drive) {
+            grid.fade(half_life_of(map.settings));
+        }
         inserter.insert(grid, node.scan.points.unpacked(), node.pose);
     }
     return grid;

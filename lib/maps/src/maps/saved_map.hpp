@@ -54,7 +54,14 @@ std::vector<MapEdge> edges_of(const graph::PoseGraph& graph);
 /// learnt of it.
 graph::PoseGraph graph_of(const SavedMap& map);
 
-/// Draws the nodes' scans anew. Throws MapTooLarge.
+/// The edges of a map; where it has none, those of its odometry.
+std::vector<MapEdge> edges_or_odometry(const SavedMap& map);
+
+/// Draws the nodes' scans, each counting alike. Throws MapTooLarge.
 OccupancyGrid drawn(const std::vector<MapNode>& nodes, const OccupancySettings& cells);
+
+/// Draws the map anew from its nodes' scans. From the second drive on, walls fade where scans see through them, as the
+/// settings of the map's run say (GoingOnSettings). Throws MapTooLarge.
+OccupancyGrid drawn(const SavedMap& map);
 
 }  // namespace ddtool::maps

@@ -60,37 +60,33 @@ void RunFolder::finish(const FilterRun& run, const MapRaster& map) {
     write_degeneracy_picture(place("degeneracy.png"), course_.updates(), map, run.trajectory);
 }
 
-void RunFolder::begin_map_file(const std::string& program, const Json& settings, const OccupancySettings& cells,
-                               const maps::SavedMap* before) {
+void RunFolder::begin_map_file(const std::string& program, const Json& settings, const OccupancySettings& cells) {
     map_file_.emplace(folder_ / map_file_name, program, settings, cells);
-    if (before != nullptr) {
-        for (const maps::MapNode& node : before->nodes) {
-            map_file_->add(node.scan, node.drive);
-            poses_before_.push_back(node.pose);
-        }
-        drives_before_ = before->drives;
-        edges_before_ = before->edges;
-    }
 }
 
 void RunFolder::add(const graph::Node& node) {
     const StageTimer timer(write_s_);
-    map_file_->add(node, static_cast<std::uint32_t>(drives_before_.size()));
+    constexpr std::uint32_t only_drive = 0;
+    map_file_->add(node, only_drive);
     node_scans_.push_back(node.scan);
 }
 
 void RunFolder::finish_map_file(const std::string& log, const FilterRun& run, const graph::PoseGraph* graph) {
     const StageTimer timer(write_s_);
-    std::vector<Pose2> poses = poses_before_;
+    std::vector<Pose2> poses;
     for (const std::size_t scan : node_scans_) {
         if (scan < run.trajectory.size()) {
             poses.push_back(run.trajectory[scan].pose);
         }
     }
-    std::vector<maps::Drive> drives = drives_before_;
-    drives.push_back({.log = log, .odometry = run.odometry});
-    map_file_->finish(drives, poses, graph == nullptr ? edges_before_ : maps::edges_of(*graph), run.map);
+    map_file_->finish({{.log = log, .odometry = run.odometry}}, poses,
+                      graph == nullptr ? std::vector<maps::MapEdge>() : maps::edges_of(*graph), run.map);
     files_.emplace_back(map_file_name);
+}
+
+void RunFolder::write_map_file(const std::string& program, const maps::SavedMap& map) {
+    const StageTimer timer(write_s_);
+    maps::write_map(place(map_file_name), program, map);
 }
 
 void RunFolder::write_back_end(const BackEndResults* results) {

@@ -29,16 +29,14 @@ public:
 
     /// Call this after the filter has processed the frame. `update` is empty where the frame caused no update.
     void add(const SensorFrame& frame, const std::optional<Update>& update, const ParticleFilter& filter);
-    /// Begins map.ddmap, which grows with the run. `program` is what writes it, with its version. What `before` has
-    /// stands in it, too: the map that the run goes on with, or null.
-    void begin_map_file(const std::string& program, const Json& settings, const OccupancySettings& cells,
-                        const maps::SavedMap* before = nullptr);
+    /// Begins map.ddmap, which grows with the run. `program` is what writes it, with its version.
+    void begin_map_file(const std::string& program, const Json& settings, const OccupancySettings& cells);
     /// Adds the next scan that entered the filter's map.
     void add(const graph::Node& node);
-    /// How many scans of this run are in map.ddmap.
-    [[nodiscard]] std::size_t scans_in_map() const { return node_scans_.size(); }
     /// Completes map.ddmap after finish(). `graph` is null if there was none.
     void finish_map_file(const std::string& log, const FilterRun& run, const graph::PoseGraph* graph);
+    /// Writes map.ddmap as a whole, after finish(), where begin_map_file() was not called.
+    void write_map_file(const std::string& program, const maps::SavedMap& map);
     /// Writes the trajectories, the map and its picture, and completes the MCAP files.
     void finish(const FilterRun& run, const MapRaster& map);
     /// Writes the graph, its nodes and the path before the back end; without results removes those of an earlier run.
@@ -65,9 +63,6 @@ private:
     std::optional<SnapshotWriter> snapshots_;
     std::optional<maps::MapFileWriter> map_file_;
     std::vector<std::size_t> node_scans_;  ///< the scans of the run in map.ddmap, by their number in the run
-    std::vector<maps::Drive> drives_before_;
-    std::vector<Pose2> poses_before_;
-    std::vector<maps::MapEdge> edges_before_;
     DegeneracyCsv degeneracy_;
     TumStream online_;
     RunCourse course_;

@@ -103,6 +103,12 @@ public:
     /// Enters that beams passed through cells x_begin..x_end-1 of row y.
     void add_free(int y, int x_begin, int x_end);
 
+    /// From now on the evidence for a wall fades where beams pass: each of them takes away the share of it that
+    /// `half_life_scans` of them halve, beside free_step. What decides whether a cell is occupied, more hits or more
+    /// passing beams, stays the same; how much must be passed before a wall of long ago is gone becomes less. 0: no
+    /// more.
+    void fade(int half_life_scans);
+
     /// Makes a cell what it is in another map: with this evidence, and if it is occupied, with the mean of its hits at
     /// `mean` from its centre, each coordinate in -16..15. reserve() must have been called for it.
     void set(Cell cell, std::int8_t log_odds, NearestPoint mean);
@@ -140,6 +146,7 @@ private:
 
     OccupancySettings settings_;
     std::uint64_t version_ = 0;
+    int kept_of_256_ = 256;  ///< what a passing beam leaves of the evidence for a wall, ahead of free_step
     PatchPointer unknown_;
     int first_column_ = 0, first_row_ = 0, columns_ = 0, rows_ = 0;
     PatchTable patches_;
