@@ -89,10 +89,12 @@ assert(ended, "the run failed");
 // A client that connects now must get the latest message of every topic, and all of /degeneracy. After that the others
 // are sent once more, since a viewer whose time jumps back forgets what it had.
 const latest = new Map();
+let interrupted = false; // once: a second Ctrl-C would end the program at once
 const late = new Watcher(address, "foxglove.sdk.v1", (event) => {
   check(event);
   latest.set(event.topic, event);
-  if (latest.size === Object.keys(expectedTypes).length) {
+  if (!interrupted && latest.size === Object.keys(expectedTypes).length) {
+    interrupted = true;
     run.kill("SIGINT");
   }
 });
