@@ -10,13 +10,11 @@ const SettingTable<GoingOnSettings>& going_on_rows() {
     static const SettingTable<GoingOn> rows{
         {"half_life_scans", &GoingOn::half_life_scans, Allowed::whole(0, 1000), "",
          "With --map, the evidence for a wall halves with so many scans that see through it, so that what was moved "
-         "since "
-         "the map was made gives way; 0: a wall is free only when as much speaks against it as for it.",
+         "since the map was made gives way; 0: a wall is free only when as much speaks against it as for it.",
          "docs/maps.md"},
         {"covering_scans", &GoingOn::covering_scans, Allowed::whole(0, 1000), "",
          "With --map, a scan of an earlier drive is dropped from the map file if so many later scans observed the "
-         "ground "
-         "that it observed; 0: all are kept.",
+         "ground that it observed; 0: all are kept.",
          "docs/maps.md"},
     };
     return rows;

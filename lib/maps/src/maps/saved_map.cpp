@@ -75,6 +75,22 @@ std::vector<MapEdge> edges_or_odometry(const SavedMap& map) {
     return edges;
 }
 
+void append(SavedMap& map, const SavedMap& later) {
+    const std::size_t nodes_before = map.nodes.size();
+    const auto drives_before = static_cast<std::uint32_t>(map.drives.size());
+    map.edges = edges_or_odometry(map);
+    for (MapEdge edge : edges_or_odometry(later)) {
+        edge.edge.from += nodes_before;
+        edge.edge.to += nodes_before;
+        map.edges.push_back(edge);
+    }
+    map.drives.insert(map.drives.end(), later.drives.begin(), later.drives.end());
+    map.nodes.insert(map.nodes.end(), later.nodes.begin(), later.nodes.end());
+    for (std::size_t node = nodes_before; node < map.nodes.size(); ++node) {
+        map.nodes[node].drive += drives_before;
+    }
+}
+
 OccupancyGrid drawn(const std::vector<MapNode>& nodes, const OccupancySettings& cells) {
     OccupancyGrid grid(cells);
     ScanInserter inserter;
@@ -85,11 +101,12 @@ OccupancyGrid drawn(const std::vector<MapNode>& nodes, const OccupancySettings& 
 }
 
 OccupancyGrid drawn(const SavedMap& map) {
+    const int half_life_scans = half_life_of(map.settings);
     OccupancyGrid grid(map.grid.settings());
     ScanInserter inserter;
     for (const MapNode& node : map.nodes) {
         if (node.drive != map.nodes.front().drive) {
-            grid.fade(half_life_of(map.settings));
+            grid.fade(half_life_scans);
         }
         inserter.insert(grid, node.scan.points.unpacked(), node.pose);
     }

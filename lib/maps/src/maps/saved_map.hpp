@@ -57,6 +57,10 @@ graph::PoseGraph graph_of(const SavedMap& map);
 /// The edges of a map; where it has none, those of its odometry.
 std::vector<MapEdge> edges_or_odometry(const SavedMap& map);
 
+/// Adds the drives, scans and edges of `later`, whose poses are those in `map`, behind those of `map`. Where one of the
+/// two has no edges, those of its odometry take their place. The grid stays as it is.
+void append(SavedMap& map, const SavedMap& later);
+
 /// Draws the nodes' scans, each counting alike. Throws MapTooLarge.
 OccupancyGrid drawn(const std::vector<MapNode>& nodes, const OccupancySettings& cells);
 

@@ -147,24 +147,14 @@ Merged merged(const maps::SavedMap& first, const maps::SavedMap& second) {
     maps::SavedMap map(first.grid.settings());
     map.program = first.program;
     map.settings = first.settings;
-    map.drives = first.drives;
-    map.drives.insert(map.drives.end(), second.drives.begin(), second.drives.end());
-    map.nodes = first.nodes;
-    map.nodes.insert(map.nodes.end(), second.nodes.begin(), second.nodes.end());
+    maps::append(map, first);
+    maps::append(map, second);
     Merged result(std::move(map));
     for (std::size_t node = 0; node < joint.poses.size(); ++node) {
         result.map.nodes[node].pose = joint.poses[node];
         if (node < first.nodes.size()) {
             result.most_moved_m = std::max(result.most_moved_m, distance_m(first.nodes[node].pose, joint.poses[node]));
-        } else {
-            result.map.nodes[node].drive += static_cast<std::uint32_t>(first.drives.size());
         }
-    }
-    result.map.edges = maps::edges_or_odometry(first);
-    for (maps::MapEdge edge : maps::edges_or_odometry(second)) {
-        edge.edge.from += first.nodes.size();
-        edge.edge.to += first.nodes.size();
-        result.map.edges.push_back(edge);
     }
     for (const graph::RelativeEdge& seam : joint.seams) {
         result.map.edges.push_back({maps::MapEdge::Kind::loop, seam});

@@ -32,28 +32,17 @@ std::vector<graph::RelativeEdge> seams_to(const maps::SavedMap& map, const std::
 Added add_drive(maps::SavedMap& map, const maps::Drive& drive, std::vector<maps::MapNode> nodes, OccupancyGrid grid,
                 const maps::GoingOnSettings& settings) {
     const std::size_t before = map.nodes.size();
-    const auto number = static_cast<std::uint32_t>(map.drives.size());
-    const std::vector<graph::RelativeEdge> to_before = seams_to(map, nodes);
-    map.edges = maps::edges_or_odometry(map);
     maps::SavedMap own(map.grid.settings());
     own.drives = {drive};
+    const std::vector<graph::RelativeEdge> to_before = seams_to(map, nodes);
     for (maps::MapNode& node : nodes) {
         node.drive = 0;
     }
     own.nodes = std::move(nodes);
-    for (maps::MapEdge edge : maps::edges_or_odometry(own)) {
-        edge.edge.from += before;
-        edge.edge.to += before;
-        map.edges.push_back(edge);
-    }
+    maps::append(map, own);
     for (graph::RelativeEdge seam : to_before) {
         seam.to += before;
         map.edges.push_back({maps::MapEdge::Kind::loop, seam});
-    }
-    map.drives.push_back(drive);
-    for (maps::MapNode& node : own.nodes) {
-        node.drive = number;
-        map.nodes.push_back(std::move(node));
     }
     map.grid = std::move(grid);
     Added added{.seams = to_before.size()};

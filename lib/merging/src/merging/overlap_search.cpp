@@ -116,7 +116,7 @@ std::vector<OverlapSearch::Proposal> OverlapSearch::proposals() {
                 std::abs(wrap_angle(expected.theta_rad - other.pose.theta_rad)) <
                     most_deviations * (turned_rad + turned_rad_per_m * way_m)) {
                 voted[other.window] = true;
-                proposal.votes += 1.0;
+                ++proposal.votes;
             }
         }
     }

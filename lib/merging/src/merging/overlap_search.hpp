@@ -55,7 +55,7 @@ private:
     struct Proposal {
         std::size_t window = 0;  ///< in compared_
         Pose2 pose;              ///< first_from_anchor
-        double votes = 0.0;
+        std::size_t votes = 0;
     };
 
     [[nodiscard]] std::vector<Proposal> proposals();
