@@ -16,7 +16,7 @@ using namespace test;
 sim::World ring_world() {
     sim::World world{.name = "ring", .description = "", .segments = {}, .arcs = {}, .route = {}};
     sim::add_polyline(world,
-                      {{-1, -1}, {10, -1}, {10, -1.6}, {12, -1.6}, {12, -1}, {21, -1}, {21, 13}, {-1, 13}, {-1, -1}});
+                      {{-1, -1}, {21, -1}, {21, 5}, {21.6, 5}, {21.6, 7}, {21, 7}, {21, 13}, {-1, 13}, {-1, -1}});
     sim::add_polyline(world, {{1, 1}, {19, 1}, {19, 11}, {7, 11}, {7, 10.5}, {5, 10.5}, {5, 11}, {1, 11}, {1, 1}});
     world.route = {.start = {}, .way_points = {{20, 0}, {20, 12}, {0, 12}, {0, 0}, {12, 0}}};
     return world;
@@ -54,20 +54,38 @@ double farthest_loop_m(const Smoothed& result, const std::vector<SensorFrame>& f
     return farthest;
 }
 
+/// A path that makes the middle of the first corridor too short, where no end is in sight, as that of a filter that has
+/// not closed its loop.
+Trajectory drifting_path(const std::vector<SensorFrame>& frames) {
+    constexpr double scale = 0.9;
+    double way_m = 0.0;
+    Trajectory path{{frames.front().scan.stamp_ns, {}}};
+    for (std::size_t i = 1; i < frames.size(); ++i) {
+        const Pose2 step = between(*frames[i - 1].world_from_robot, *frames[i].world_from_robot);
+        way_m += step.x_m;
+        path.push_back({frames[i].scan.stamp_ns,
+                        path.back().pose *
+                            Pose2{(way_m > 8.0 && way_m < 12.0 ? scale : 1.0) * step.x_m, step.y_m, step.theta_rad}});
+    }
+    return path;
+}
+
 TEST(BackEnd, ClosesTheLoopOfARing) {
     const std::vector<SensorFrame> frames = simulated_drive(ring_world(), 8.0);
-    const Smoothed result = smoothed(frames);
-    EXPECT_GT(largest_error_m(odometry_path(frames), frames), 0.6);
+    const Trajectory open = drifting_path(frames);
+    const Smoothed result = back_end_after(frames).finish(open);
+    EXPECT_GT(largest_error_m(open, frames), 0.3);
     EXPECT_GE(closed_loops(result), 2U);
     EXPECT_LT(farthest_loop_m(result, frames), 0.1);
-    EXPECT_LT(largest_error_m(result.trajectory, frames), 0.35);
+    EXPECT_LT(largest_error_m(result.trajectory, frames), 0.2);
     ASSERT_EQ(result.trajectory.size(), frames.size());
     EXPECT_EQ(result.covariances.size(), result.graph.poses.size());
     ASSERT_TRUE(result.map.has_value());
     EXPECT_FALSE(result.map->observed_box().empty());
 }
 
-TEST(BackEnd, APathThatAgreesWithItsLoopsIsKept) {
+/// The graph does not know the path to be right: between the corridor's ends the odometry moves it a little.
+TEST(BackEnd, APathThatIsRightStaysNearlyRight) {
     const std::vector<SensorFrame> frames = simulated_drive(ring_world(), 8.0);
     Trajectory truth;
     for (const SensorFrame& frame : frames) {
@@ -75,9 +93,8 @@ TEST(BackEnd, APathThatAgreesWithItsLoopsIsKept) {
     }
     const Smoothed result = back_end_after(frames).finish(truth);
     EXPECT_GE(closed_loops(result), 2U);
-    EXPECT_LT(result.loop_error_of_path, 3.0);
-    EXPECT_FALSE(result.map.has_value());
-    EXPECT_EQ(result.trajectory.back().pose, truth.back().pose);
+    EXPECT_LT(result.loop_error_of_path, 6.0);  // chance gives 3 in the mean
+    EXPECT_LT(largest_error_m(result.trajectory, frames), 0.1);
 }
 
 TEST(BackEnd, SameRunSameBytes) {

@@ -99,6 +99,30 @@ TEST(LoopSearch, ARecessHoldsTheWayAlong) {
     EXPECT_GT(match.information(0, 0), 100.0);
 }
 
+/// The corridor's end, which few of the points show, lies in sight of both, and the prediction is half a metre off.
+TEST(LoopSearch, TheEndOfABareCorridorIsFound) {
+    sim::World world = corridor(false);
+    sim::add_polyline(world, {{5, -1}, {5, 1}});
+    const StretchMap older = local_map(world, {0.0, 0.0, 0.0});
+    const StretchMap newer = local_map(world, {0.6, 0.2, 0.0});
+    LoopSearch search{RbpfSettings{}};
+    const LoopMatch match = search.match(older, newer, {0.1, 0.2, 0.0}, gate(0.3, 0.05));
+    EXPECT_EQ(match.refusal, "");
+    EXPECT_NEAR(match.older_from_newer.x_m, 0.6, 0.03);
+    EXPECT_FALSE(match.open_along);
+}
+
+/// Two robots on the two sides of one straight wall: their maps fit, and no ground is free in both.
+TEST(LoopSearch, BothSidesOfAWallAreNotOnePlace) {
+    sim::World wall{.name = "wall", .description = "", .segments = {}, .arcs = {}, .route = {}};
+    sim::add_polyline(wall, {{-40, 0}, {1, 0}, {1.5, 0.2}, {2, 0}, {40, 0}});
+    const StretchMap older = local_map(wall, {0.0, 1.0, 0.0});
+    const StretchMap newer = local_map(wall, {0.0, -1.0, 0.0});
+    LoopSearch search{RbpfSettings{}};
+    const LoopMatch match = search.match(older, newer, {0.0, -2.0, 0.0}, gate(0.3, 0.05));
+    EXPECT_EQ(match.refusal, "the maps lie on different sides of a wall");
+}
+
 TEST(LoopSearch, OtherPlacesAreRefused) {
     const StretchMap older = local_map(room(), {-1.0, 0.0, 0.0});
     const StretchMap newer = local_map(corridor(true), {0.0, 0.0, 0.0});

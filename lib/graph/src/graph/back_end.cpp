@@ -1,7 +1,8 @@
 #include "graph/back_end.hpp"
 
-#include <Eigen/LU>
+#include <Eigen/Dense>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "base/squared.hpp"
@@ -9,66 +10,69 @@
 #include "ddtool/filter/scan_insertion.hpp"
 #include "filter/pose_covariance.hpp"
 #include "graph/marginals.hpp"
+#include "graph/path_steps.hpp"
 #include "graph/robust.hpp"
 #include "graph/solver.hpp"
 
 namespace ddtool::graph {
 namespace {
 
-/// What chance gives a loop on a right path: the mean of chi-square with three degrees of freedom.
-constexpr double usual_loop_error = 3.0;
+/// How far back on the way the match edges of a node reach. A lidar still sees there much of what it sees here, and a
+/// chain of the shortest edges alone would drift far more than scans do that are matched to one map.
+constexpr std::array edge_ways_m{0.0, 1.0, 3.0, 9.0};
 
-Eigen::Matrix3d information_in_local(const LocalStep& step) {
-    const Eigen::Matrix3d to_local = turned_about_z(step.pose.theta_rad);
-    return to_local * step.information * to_local.transpose();
+/// Along every direction the smaller one of the two.
+Eigen::Matrix3d smaller_information(const Eigen::Matrix3d& a, const Eigen::Matrix3d& b) {
+    constexpr double least_information = 1e-4;  // so that a direction without information can be inverted
+    const Eigen::Matrix3d base = b + least_information * Eigen::Matrix3d::Identity();
+    const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::Matrix3d> axes(a, base);
+    const Eigen::Matrix3d basis = base * axes.eigenvectors();
+    return basis * axes.eigenvalues().cwiseMax(0.0).cwiseMin(1.0).asDiagonal() * basis.transpose();
 }
 
-/// How far back on the way the second match edge of a node reaches. A lidar still sees there much of what it sees here.
-constexpr double long_edge_m = 5.0;
-
-/// Half of a match's information ties a node to the one before, half to one some metres back, since it was matched to a
-/// map of all of them: a chain of the short edges alone would drift far more than scans matched to one map do. The long
-/// edge holds no more than every match on the way there did, so that a wall that has just come into sight says nothing
-/// about the node before it did.
-void add_matches(PoseGraph& graph, const LocalTrack& track, std::size_t node) {
-    const LocalStep& step = track.steps[node];
+/// A step's information ties its node to several ones before, in equal parts, since the scan was matched to a map of
+/// all of them. An edge holds no more than every step on the way there did, so that a wall that has just come into
+/// sight says nothing about the nodes before it did.
+void add_matches(PoseGraph& graph, const std::vector<PathStep>& steps, std::size_t node) {
+    const PathStep& step = steps[node];
     if (step.information.trace() <= 0.0) {
         return;
     }
-    graph.matches.push_back(
-        {.from = node - 1, .to = node, .measured = step.matched, .information = 0.5 * step.information});
+    const Eigen::Matrix3d to_world = turned_about_z(step.pose.theta_rad);
+    std::vector<RelativeEdge> edges;
     std::size_t back = node - 1;
-    double way_m = distance_m(track.steps[back].pose, step.pose);
-    constexpr double least_information = 1e-4;  // so that a direction without information can be inverted
-    const Eigen::Matrix3d least = least_information * Eigen::Matrix3d::Identity();
-    Eigen::Matrix3d sum = (information_in_local(step) + least).inverse();
-    while (back > 0 && way_m < long_edge_m) {
-        sum += (information_in_local(track.steps[back]) + least).inverse();
-        --back;
-        way_m += distance_m(track.steps[back].pose, track.steps[back + 1].pose);
-    }
-    if (back + 1 == node) {
-        return;
-    }
-    const Pose2 measured = track.steps[node - 1].pose * step.matched;
-    const Eigen::Matrix3d to_local = turned_about_z(measured.theta_rad);
-    graph.matches.push_back({.from = back,
+    double way_m = distance_m(steps[back].pose, step.pose);
+    Eigen::Matrix3d held = step.information;
+    for (const double reach_m : edge_ways_m) {
+        while (back > 0 && way_m < reach_m) {
+            held = smaller_information(held, steps[back].information);
+            --back;
+            way_m += distance_m(steps[back].pose, steps[back + 1].pose);
+        }
+        if (way_m >= reach_m && (edges.empty() || edges.back().from != back)) {
+            edges.push_back({.from = back,
                              .to = node,
-                             .measured = between(track.steps[back].pose, measured),
-                             .information = 0.5 * to_local.transpose() * sum.inverse() * to_local});
+                             .measured = between(steps[back].pose, step.pose),
+                             .information = to_world.transpose() * held * to_world});
+        }
+    }
+    for (RelativeEdge& edge : edges) {
+        edge.information /= static_cast<double>(edges.size());
+    }
+    graph.matches.insert(graph.matches.end(), edges.begin(), edges.end());
 }
 
-PoseGraph graph_of(const std::vector<Node>& nodes, const LocalTrack& track, const Pose2& start) {
+PoseGraph graph_of(const std::vector<Node>& nodes, const PathSteps& path) {
     PoseGraph graph;
     graph.calibration.scale_sd = OdometryLearning::scale_sd;
     graph.calibration.bias_sd_rad_per_s = OdometryLearning::bias_sd_rad_per_s;
     for (std::size_t node = 0; node < nodes.size(); ++node) {
-        const LocalStep& step = track.steps[node];
-        graph.poses.push_back(start * step.pose);
+        const PathStep& step = path.steps[node];
+        graph.poses.push_back(step.pose);
         if (node == 0) {
             continue;
         }
-        const MotionSigmas random = motion_sigmas(step.odometry, track.noise);
+        const MotionSigmas random = motion_sigmas(step.odometry, path.noise);
         // Added so that a node reached without any motion of the odometry is not fixed to the one before.
         constexpr double least_m = 1e-3;
         constexpr double least_rad = 5e-4;
@@ -78,7 +82,7 @@ PoseGraph graph_of(const std::vector<Node>& nodes, const LocalTrack& track, cons
                                   .duration_s = nodes[node].duration_s,
                                   .sigmas = {factor * random.x_m + least_m, factor * random.y_m + least_m,
                                              factor * random.theta_rad + least_rad}});
-        add_matches(graph, track, node);
+        add_matches(graph, path.steps, node);
     }
     return graph;
 }
@@ -153,15 +157,13 @@ Smoothed BackEnd::finish(const Trajectory& path) const {
         result.stamps_ns.push_back(node.stamp_ns);
         result.scan_bytes += node.points.bytes();
     }
-    result.graph = graph_of(nodes, local_track(nodes, by_filter, settings_), by_filter.front());
+    result.graph = graph_of(nodes, path_steps(nodes, by_filter, settings_));
     minimise(result.graph);
     result.loops = close_loops(result.graph, nodes, settings_);
     result.covariances = Marginals(result.graph).of_nodes();
     result.loop_error_of_path = mean_loop_error(result.graph, by_filter);
-    if (result.loop_error_of_path > usual_loop_error) {
-        result.trajectory = corrected(path, nodes, result.graph.poses);
-        result.map = drawn(nodes, result.graph.poses, settings_.grid);
-    }
+    result.trajectory = corrected(path, nodes, result.graph.poses);
+    result.map = drawn(nodes, result.graph.poses, settings_.grid);
     return result;
 }
 

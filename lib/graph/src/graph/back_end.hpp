@@ -8,18 +8,18 @@
 
 #include "ddtool/filter/rbpf.hpp"
 #include "ddtool/robot/trajectory.hpp"
-#include "graph/local_track.hpp"
 #include "graph/loop_edges.hpp"
+#include "graph/node.hpp"
 #include "graph/pose_graph.hpp"
 
 namespace ddtool::graph {
 
 /// What the back end made of a run.
 struct Smoothed {
-    Trajectory trajectory;  ///< a pose for every scan: of the graph, or of the filter where the loops agree with it
-    std::optional<OccupancyGrid> map{};  ///< drawn anew from the nodes' scans; empty where the path is the filter's
+    Trajectory trajectory;               ///< a pose for every scan
+    std::optional<OccupancyGrid> map{};  ///< drawn anew from the nodes' scans; empty if there are none
     /// The mean squared error of the accepted loops on the filter's path, in units of their covariance. On a right path
-    /// chance gives 3; the filter's path is kept up to that.
+    /// chance gives 3.
     double loop_error_of_path = 0.0;
     PoseGraph graph{};                           ///< solved
     std::vector<std::int64_t> stamps_ns{};       ///< of the nodes

@@ -1,6 +1,8 @@
 #include "graph/coarse_map.hpp"
 
 #include <algorithm>
+#include <array>
+#include <numbers>
 #include <utility>
 
 namespace ddtool::graph {
@@ -58,6 +60,35 @@ std::vector<Point2> every_point(const ScanPoints& points, std::size_t stride) {
         some.push_back({double{points.x_m[i]}, double{points.y_m[i]}});
     }
     return some;
+}
+
+std::vector<Point2> points_of_each_direction(const ScanPoints& points, std::size_t count) {
+    constexpr std::size_t directions = 8;
+    std::array<std::vector<std::size_t>, directions> of_direction;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const double turn = std::atan2(double{points.normal_y[i]}, double{points.normal_x[i]}) / std::numbers::pi + 1.0;
+        of_direction[static_cast<std::size_t>(std::lround(turn * directions)) % directions].push_back(i);
+    }
+    std::array<std::size_t, directions> taken{};
+    std::size_t left = std::min(count, points.size());
+    for (bool any = true; any && left > 0;) {
+        any = false;
+        for (std::size_t bin = 0; bin < directions && left > 0; ++bin) {
+            if (taken[bin] < of_direction[bin].size()) {
+                ++taken[bin];
+                --left;
+                any = true;
+            }
+        }
+    }
+    std::vector<Point2> result;
+    for (std::size_t bin = 0; bin < directions; ++bin) {
+        for (std::size_t i = 0; i < taken[bin]; ++i) {
+            const std::size_t point = of_direction[bin][i * of_direction[bin].size() / taken[bin]];
+            result.push_back({double{points.x_m[point]}, double{points.y_m[point]}});
+        }
+    }
+    return result;
 }
 
 double mean_distance_m(const std::vector<Point2>& points) {

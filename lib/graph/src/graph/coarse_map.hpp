@@ -50,6 +50,11 @@ private:
 /// The points of a scan that a search on a coarse map tries: every stride-th one, in the robot's frame.
 std::vector<Point2> every_point(const ScanPoints& points, std::size_t stride);
 
+/// At most `count` points of a scan, in the robot's frame: as many of each direction of the surface as there are, so
+/// that the end of a corridor counts as much as its long sides (normal-space sampling, Rusinkiewicz and Levoy,
+/// "Efficient variants of the ICP algorithm", 2001).
+std::vector<Point2> points_of_each_direction(const ScanPoints& points, std::size_t count);
+
 /// How far the points are from the robot in the mean, which says how fine the turns of a search must be; 1 m for none.
 double mean_distance_m(const std::vector<Point2>& points);
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "graph/local_track.hpp"
+#include "graph/node.hpp"
 #include "graph/pose_graph.hpp"
 
 namespace ddtool::graph {

@@ -8,6 +8,7 @@
 #include "base/squared.hpp"
 #include "ddtool/filter/information_fusion.hpp"
 #include "filter/pose_covariance.hpp"
+#include "graph/clear_fall.hpp"
 #include "graph/coarse_map.hpp"
 
 namespace ddtool::graph {
@@ -21,6 +22,11 @@ constexpr double least_agreed = 0.8;
 /// The shares of both maps that the other observed: the larger and the smaller of them.
 constexpr double least_known = 0.5;
 constexpr double least_known_of_other = 0.25;
+/// Of the way of one of the stretches so much leads over ground that the other one saw free: else the two maps lie on
+/// different sides of one wall.
+constexpr double least_free = 0.5;
+/// The fit is tried again so far to either side along the direction that it holds least.
+constexpr double peak_half_width_m = 0.15;
 /// Maps with fewer points in common, a few trees or a metre of wall, are alike by chance.
 constexpr std::size_t least_points = 100;
 /// Places nearer than this to each other are the same peak.
@@ -84,6 +90,19 @@ double share_of(std::size_t part, std::size_t whole) {
     return whole == 0 ? 0.0 : static_cast<double>(part) / static_cast<double>(whole);
 }
 
+/// The share of the way of one stretch that leads over ground which the other one saw free.
+double free_share(const StretchMap& from, const OccupancyGrid& in, const Pose2& in_from_other) {
+    const double cell_m = in.cell_size_m();
+    const auto is_free = [&](const Point2& place) {
+        const Point2 at = in_from_other * place;
+        const std::int8_t odds =
+            in.log_odds({static_cast<int>(std::floor(at.x_m / cell_m)), static_cast<int>(std::floor(at.y_m / cell_m))});
+        return odds != Patch::unknown && odds < 0;
+    };
+    return share_of(static_cast<std::size_t>(std::count_if(from.way.begin(), from.way.end(), is_free)),
+                    from.way.size());
+}
+
 struct Fit {
     Pose2 pose;
     Eigen::Matrix3d information;
@@ -91,13 +110,15 @@ struct Fit {
     double known = 0.0;            ///< points of both maps that the other observed
     double contradicted = 0.0;     ///< of those, the ones that do not lie on the other's walls
     double from_prediction = 0.0;  ///< squared, in units of the covariance
+    double likelihood = 0.0;       ///< log, of the newer map's points in the older map
+    bool on_one_side = true;       ///< the stretches see the same side of the walls
 };
 
 /// Whether a fit's contradictions are no more than those of the best by what counting leaves to chance.
 bool fits_as_well(const Fit& fit, const Fit& best) {
     constexpr double deviations = 3.0;
     constexpr double least_overlap = 0.75;  // a place with much less in common is not compared with the same walls
-    return fit.known >= least_overlap * best.known &&
+    return fit.known >= least_overlap * best.known && fit.likelihood >= best.likelihood - clear_fall &&
            fit.contradicted <= best.contradicted + deviations * std::sqrt(best.contradicted + 1.0);
 }
 
@@ -129,8 +150,7 @@ LoopSearch::LoopSearch(const RbpfSettings& settings)
 std::vector<LoopSearch::Place> LoopSearch::coarse_places(const StretchMap& older, const StretchMap& newer,
                                                          const Pose2& predicted, double half_m, double half_rad) const {
     const CoarseMap map(older.grid);
-    const std::vector<Point2> points =
-        every_point(newer.points, std::max<std::size_t>(1, newer.points.size() / coarse_points));
+    const std::vector<Point2> points = points_of_each_direction(newer.points, coarse_points);
     const double turn_rad = std::clamp(lattice_m / mean_distance_m(points), 0.01, 0.05);
     const int turns = static_cast<int>(std::ceil(half_rad / turn_rad));
     const int steps = static_cast<int>(std::ceil(half_m / lattice_m));
@@ -164,6 +184,30 @@ std::vector<LoopSearch::Place> LoopSearch::coarse_places(const StretchMap& older
         }
     }
     return peaks;
+}
+
+/// Walls that are rough, or that few scans have drawn, seem to hold a map along themselves. So along the direction that
+/// is held least, no more is believed than the fall of the likelihood to both sides shows, and nothing if it does not
+/// fall.
+LoopSearch::Peak LoopSearch::peak_of(const StretchMap& older, const StretchMap& newer, const Pose2& pose,
+                                     const Eigen::Matrix3d& information) {
+    constexpr double least_information = 1e-3;
+    const Eigen::Matrix3d covariance = (information + least_information * Eigen::Matrix3d::Identity()).inverse();
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(covariance.topLeftCorner<2, 2>());
+    const Eigen::Vector2d along = axes.eigenvectors().col(1);
+    const Eigen::Vector3d shift = peak_half_width_m / axes.eigenvalues()(1) * covariance.leftCols<2>() * along;
+    const auto likelihood = [&](const Eigen::Vector3d& by) {
+        return matcher_.evaluate(older.grid, newer.match_points, moved_by(pose, by)).log_likelihood;
+    };
+    const double here = likelihood(Eigen::Vector3d::Zero());
+    const double fall = here - std::max(likelihood(shift), likelihood(-shift));
+    const Eigen::Matrix3d without = without_direction(information, {along.x(), along.y(), 0.0});
+    if (fall < clear_fall) {
+        return {without, true};
+    }
+    const double seen = 2.0 * fall / squared(peak_half_width_m);
+    const double share = std::min(1.0, seen * axes.eigenvalues()(1));
+    return {without + share * (information - without), false};
 }
 
 LoopMatch LoopSearch::match(const StretchMap& older, const StretchMap& newer, const Pose2& predicted,
@@ -201,7 +245,10 @@ LoopMatch LoopSearch::match(const StretchMap& older, const StretchMap& newer, co
                             .agreed = agreed,
                             .known = static_cast<double>(known),
                             .contradicted = static_cast<double>(known - forth.agreed - back.agreed),
-                            .from_prediction = from_prediction});
+                            .from_prediction = from_prediction,
+                            .likelihood = found.log_likelihood,
+                            .on_one_side = std::max(free_share(newer, older.grid, found.pose),
+                                                    free_share(older, newer.grid, inverse(found.pose))) >= least_free});
         }
     }
     if (fits.empty()) {
@@ -211,11 +258,16 @@ LoopMatch LoopSearch::match(const StretchMap& older, const StretchMap& newer, co
                                                    : "the maps do not agree";
         return result;
     }
-    const Fit best =
-        *std::max_element(fits.begin(), fits.end(), [](const Fit& a, const Fit& b) { return a.agreed < b.agreed; });
+    const Fit best = *std::max_element(fits.begin(), fits.end(),
+                                       [](const Fit& a, const Fit& b) { return a.likelihood < b.likelihood; });
     std::erase_if(fits, [&](const Fit& fit) { return !fits_as_well(fit, best); });
     const Fit chosen = *std::min_element(
         fits.begin(), fits.end(), [](const Fit& a, const Fit& b) { return a.from_prediction < b.from_prediction; });
+    if (!chosen.on_one_side) {
+        result.agreed = chosen.agreed;
+        result.refusal = "the maps lie on different sides of a wall";
+        return result;
+    }
     result.older_from_newer = chosen.pose;
     result.agreed = chosen.agreed;
     Eigen::Matrix3d information =
@@ -236,6 +288,10 @@ LoopMatch LoopSearch::match(const StretchMap& older, const StretchMap& newer, co
         const Eigen::Vector2d along = rivals.eigenvectors().col(1);
         information = without_direction(information, {along.x(), along.y(), 0.0});
         result.open_along = true;
+    } else {
+        const Peak peak = peak_of(older, newer, chosen.pose, information);
+        information = peak.information;
+        result.open_along = peak.is_open;
     }
     const Eigen::Matrix3d to_older = turned_about_z(chosen.pose.theta_rad);
     result.information = to_older.transpose() * no_better_than_maps(information) * to_older;

@@ -51,6 +51,13 @@ private:
     [[nodiscard]] std::vector<Place> coarse_places(const StretchMap& older, const StretchMap& newer,
                                                    const Pose2& predicted, double half_m, double half_rad) const;
 
+    struct Peak {
+        Eigen::Matrix3d information;
+        bool is_open = false;  ///< along one direction
+    };
+    Peak peak_of(const StretchMap& older, const StretchMap& newer, const Pose2& pose,
+                 const Eigen::Matrix3d& information);
+
     RbpfSettings settings_;
     ScanMatcher matcher_;
 };

@@ -1,6 +1,7 @@
 #include "graph/marginals.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "ddtool/base/error.hpp"
 
@@ -39,31 +40,45 @@ Sparse inverse_on_pattern(const Sparse& unit_lower, const Eigen::VectorXd& diago
     Sparse inverse(size, size);
     inverse.setFromTriplets(pattern.begin(), pattern.end());
     std::vector<std::pair<Eigen::Index, double>> below;
+    constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+    std::vector<std::size_t> place_of(static_cast<std::size_t>(size), none);  // of a row in `below`
+    std::vector<double> sums;
     for (Eigen::Index column = size - 1; column >= 0; --column) {
         below.clear();
         for (Sparse::InnerIterator it(unit_lower, column); it; ++it) {
             if (it.row() > column) {
+                place_of[static_cast<std::size_t>(it.row())] = below.size();
                 below.emplace_back(it.row(), it.value());
             }
         }
-        double* values = inverse.valuePtr() + inverse.outerIndexPtr()[column];
-        double on_diagonal = 1.0 / diagonal(column);
-        for (std::size_t i = 0; i < below.size(); ++i) {
-            double sum = 0.0;
-            for (const auto& [k, factor] : below) {
-                sum += symmetric_entry(inverse, below[i].first, k) * factor;
+        // Each entry of the columns k below stands for two of the symmetric matrix.
+        sums.assign(below.size(), 0.0);
+        for (std::size_t k = 0; k < below.size(); ++k) {
+            for (Sparse::InnerIterator it(inverse, below[k].first); it; ++it) {
+                const std::size_t i = place_of[static_cast<std::size_t>(it.row())];
+                if (i == none) {
+                    continue;
+                }
+                sums[i] += it.value() * below[k].second;
+                if (i != k) {
+                    sums[k] += it.value() * below[i].second;
+                }
             }
-            values[i + 1] = -sum;  // after the diagonal, in the order of `below`
-            on_diagonal += sum * below[i].second;
         }
-        values[0] = on_diagonal;
+        double* values = inverse.valuePtr() + inverse.outerIndexPtr()[column];
+        values[0] = 1.0 / diagonal(column);
+        for (std::size_t i = 0; i < below.size(); ++i) {
+            values[i + 1] = -sums[i];  // after the diagonal, in the order of `below`
+            values[0] += sums[i] * below[i].second;
+            place_of[static_cast<std::size_t>(below[i].first)] = none;
+        }
     }
     return inverse;
 }
 
 }  // namespace
 
-Marginals::Marginals(const PoseGraph& graph) : of_nodes_(graph.poses.size(), Eigen::Matrix3d::Zero()) {
+Marginals::Marginals(const PoseGraph& graph) : nodes_(graph.poses.size()) {
     if (graph.poses.size() < 2) {
         return;
     }
@@ -71,10 +86,20 @@ Marginals::Marginals(const PoseGraph& graph) : of_nodes_(graph.poses.size(), Eig
     if (factors_.info() != Eigen::Success) {
         throw Error("the pose graph leaves a pose undetermined");
     }
-    select_inverse();
 }
 
-void Marginals::select_inverse() {
+const std::vector<Eigen::Matrix3d>& Marginals::of_nodes() const {
+    if (of_nodes_.empty()) {
+        select_inverse();
+    }
+    return of_nodes_;
+}
+
+void Marginals::select_inverse() const {
+    of_nodes_.assign(nodes_, Eigen::Matrix3d::Zero());
+    if (nodes_ < 2) {
+        return;
+    }
     const Sparse lower = factors_.matrixL();
     const Sparse inverse = inverse_on_pattern(lower, factors_.vectorD());
     const auto& order = factors_.permutationP().indices();
@@ -100,8 +125,8 @@ Eigen::MatrixXd Marginals::with_node(std::size_t node) const {
 Eigen::Matrix3d Marginals::relative(const PoseGraph& graph, std::size_t a, std::size_t b,
                                     const Eigen::MatrixXd& with_b) const {
     const EdgeError at = edge_error(graph.poses[a], graph.poses[b], {}, false);
-    Eigen::Matrix3d covariance = at.by_from * of_nodes_[a] * at.by_from.transpose();
-    covariance += at.by_to * of_nodes_[b] * at.by_to.transpose();
+    Eigen::Matrix3d covariance = at.by_from * of_nodes()[a] * at.by_from.transpose();
+    covariance += at.by_to * of_nodes()[b] * at.by_to.transpose();
     if (a != 0) {
         const Eigen::Matrix3d cross = at.by_from * with_b.middleRows<3>(Unknowns::of_node(a)) * at.by_to.transpose();
         covariance += cross + cross.transpose();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/SparseCholesky>
+#include <cstddef>
 #include <vector>
 
 #include "graph/pose_graph.hpp"
@@ -9,7 +10,7 @@
 namespace ddtool::graph {
 
 /// Covariances of a solved graph to first order: blocks of the inverse of its normal equations. Node 0 has none. It
-/// holds for the graph as it was when this was made.
+/// holds for the graph as it was when this was made. For one thread, since what is asked for is worked out then.
 class Marginals {
 public:
     /// Throws Error if the graph leaves a node undetermined.
@@ -17,7 +18,7 @@ public:
 
     /// Of every node's pose (x, y, theta in the world), computed on the pattern of the factor alone (Takahashi, Fagan,
     /// Chin 1973; Erisman, Tinney 1975).
-    [[nodiscard]] const std::vector<Eigen::Matrix3d>& of_nodes() const { return of_nodes_; }
+    [[nodiscard]] const std::vector<Eigen::Matrix3d>& of_nodes() const;
     /// The covariance of every unknown with (x, y, theta) of the node; column by column of Unknowns. Zero for node 0.
     [[nodiscard]] Eigen::MatrixXd with_node(std::size_t node) const;
     /// The covariance of every unknown with each row of `jacobian`, one column for each row.
@@ -29,10 +30,11 @@ public:
                                            const Eigen::MatrixXd& with_b) const;
 
 private:
-    void select_inverse();
+    void select_inverse() const;
 
     Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factors_;
-    std::vector<Eigen::Matrix3d> of_nodes_;
+    std::size_t nodes_;
+    mutable std::vector<Eigen::Matrix3d> of_nodes_;  ///< empty until it is asked for
 };
 
 }  // namespace ddtool::graph

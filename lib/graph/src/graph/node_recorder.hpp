@@ -6,7 +6,7 @@
 #include "ddtool/filter/rbpf.hpp"
 #include "ddtool/filter/update.hpp"
 #include "ddtool/robot/sensor_stream.hpp"
-#include "graph/local_track.hpp"
+#include "graph/node.hpp"
 
 namespace ddtool::graph {
 

@@ -133,7 +133,7 @@ Solution minimise_robustly(PoseGraph& graph) {
     if (largest <= truncation) {
         return solution;
     }
-    constexpr double growth = 1.4;
+    constexpr double growth = 2.0;
     constexpr int most_rounds = 60;
     double convexity = truncation / (2.0 * largest - truncation);
     for (int round = 0; round < most_rounds; ++round) {

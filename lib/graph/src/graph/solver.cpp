@@ -2,6 +2,7 @@
 
 #include <Eigen/Dense>
 #include <cmath>
+#include <initializer_list>
 #include <vector>
 
 #include "base/squared.hpp"
@@ -24,19 +25,23 @@ public:
         }
     }
 
+    /// Of at most three unknowns, so that it needs no memory of its own.
+    using Jacobian = Eigen::Matrix<double, 3, Eigen::Dynamic, Eigen::ColMajor, 3, 3>;
+    using Product = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, 3, 3>;
+
     /// A group of neighbouring unknowns that an error depends on.
     struct Block {
         Eigen::Index first;
-        Eigen::MatrixXd jacobian;
+        Jacobian jacobian;
     };
 
-    void add(const std::vector<Block>& blocks, const Eigen::Vector3d& error, const Eigen::Matrix3d& information) {
+    void add(std::initializer_list<Block> blocks, const Eigen::Vector3d& error, const Eigen::Matrix3d& information) {
         cost_ += 0.5 * error.dot(information * error);
         for (const Block& row : blocks) {
             if (row.first == Unknowns::none) {
                 continue;
             }
-            const Eigen::MatrixXd weighted = row.jacobian.transpose() * information;
+            const Product weighted = row.jacobian.transpose() * information;
             gradient_.segment(row.first, row.jacobian.cols()) += weighted * error;
             for (const Block& column : blocks) {
                 if (column.first != Unknowns::none && column.first <= row.first) {
@@ -65,7 +70,7 @@ public:
     }
 
 private:
-    void add_product(Eigen::Index row, Eigen::Index column, const Eigen::MatrixXd& product) {
+    void add_product(Eigen::Index row, Eigen::Index column, const Product& product) {
         for (Eigen::Index i = 0; i < product.rows(); ++i) {
             for (Eigen::Index j = 0; j < product.cols(); ++j) {
                 if (column + j <= row + i) {

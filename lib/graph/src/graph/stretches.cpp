@@ -79,6 +79,7 @@ std::shared_ptr<const StretchMap> StretchMaps::made(const Stretch& stretch) {
         const Pose2 pose = between(path_[stretch.anchor], path_[node]);
         inserter_.insert(map->grid, points, pose);
         add_thinned(map->points, taken, points, pose);
+        map->way.push_back({pose.x_m, pose.y_m});
     }
     map->match_points = MatchPoints(map->points, settings_.grid.cell_size_m);
     return map;

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "ddtool/filter/rbpf.hpp"
-#include "graph/local_track.hpp"
+#include "graph/node.hpp"
 
 namespace ddtool::graph {
 
@@ -27,6 +27,7 @@ struct StretchMap {
     OccupancyGrid grid;  ///< in the anchor's frame
     ScanPoints points;   ///< in the anchor's frame, thinned to one in each square of 0.05 m
     MatchPoints match_points;
+    std::vector<Point2> way;  ///< where the robot was when it took the scans, in the anchor's frame
 };
 
 /// Makes the local maps as they are asked for, and keeps the latest few.

@@ -9,7 +9,7 @@
 #include "ddtool/filter/occupancy_grid.hpp"
 #include "ddtool/filter/odometry_model.hpp"
 #include "ddtool/system/settings.hpp"
-#include "graph/local_track.hpp"
+#include "graph/node.hpp"
 #include "graph/pose_graph.hpp"
 
 namespace ddtool::maps {
