@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 
 #include "check/openness.hpp"
 #include "ddtool/filter/update.hpp"
@@ -24,7 +25,17 @@ struct MotionEvidence {
     double worst_jump_m = 0.0;  ///< largest difference
     double worst_jump_rad = 0.0;
     double score = 0.0;           ///< mean score of the matches, 0..1
+    double usual_score = 0.0;     ///< median score of those whose scan sees surfaces
     std::uint64_t unmatched = 0;  ///< updates whose scan fits the map nowhere, though it sees surfaces
+
+    /// Where two updates in a row fit the map worst, of those in which the robot came farther by its odometry than the
+    /// wide search of a match looks to one side. Nothing but the odometry joins the map before it to the map after it.
+    struct Seam {
+        double score = 1.0;  ///< the higher of the two; 1 if there was no such place
+        double s = 0.0;      ///< when, in seconds since the first update
+        double moved_m = 0.0;
+        double turned_rad = 0.0;
+    } seam;
 
     /// Poor wheels err by so much of the way.
     static constexpr double wheels_share = 0.05;
@@ -54,13 +65,20 @@ public:
     [[nodiscard]] MotionEvidence evidence() const;
 
 private:
+    void add_score(const Update& update, double score, bool sees_surfaces);
     void add_blind(double odometry_m, double turn_rad);
     void add_open(double odometry_m, double along_m, bool between_walls);
 
     static constexpr double step_of_differences_m = 0.005;
     std::array<std::uint32_t, 400> differences_{};  ///< a histogram; the last bin takes all that are larger
 
+    static constexpr double step_of_scores = 0.005;
+    std::array<std::uint32_t, 201> score_counts_{};  ///< a histogram, of scans that see surfaces
+
     MotionEvidence sums_;
+    std::int64_t first_stamp_ns_ = 0;
+    std::optional<double> score_before_;  ///< of the update before, if that saw surfaces
+    Pose2 odometry_before_;               ///< its motion by the odometry
     Openness before_ = Openness::held;
     double stretch_m_ = 0.0;
     double open_length_m_ = 0.0;  ///< since the scans last told the position for a while
