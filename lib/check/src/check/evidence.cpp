@@ -24,6 +24,7 @@ Json motion_json(const MotionEvidence& motion) {
             {"usual_score", motion.usual_score},
             {"seam",
              {{"score", motion.seam.score},
+              {"best_particle", motion.seam.best_particle},
               {"s", motion.seam.s},
               {"moved_m", motion.seam.moved_m},
               {"turned_rad", motion.seam.turned_rad}}},

@@ -74,7 +74,9 @@ void MotionWitness::add(const Update& update, Openness openness) {
     sums_.worst_jump_m = std::max(sums_.worst_jump_m, apart_m);
     sums_.worst_jump_rad = std::max(sums_.worst_jump_rad, apart_rad);
     scores_ += best.match_score;
-    add_score(update, best.match_score, openness != Openness::blind);
+    const double best_fit =
+        std::ranges::max(update.corrected.particles, {}, &SnapshotParticle::match_score).match_score;
+    add_fit(update, {.score = best.match_score, .best_particle = best_fit}, openness != Openness::blind);
     sums_.unmatched += openness != Openness::blind && best.match_score < ScanMatch::least_score ? 1 : 0;
 
     const bool open = openness != Openness::held && before_ != Openness::held;
@@ -94,24 +96,25 @@ void MotionWitness::add(const Update& update, Openness openness) {
     before_ = openness;
 }
 
-void MotionWitness::add_score(const Update& update, double score, bool sees_surfaces) {
+void MotionWitness::add_fit(const Update& update, const Fit& fit, bool sees_surfaces) {
     constexpr ScanMatcherSettings searched;
     const Pose2& odometry = update.corrected.odometry_motion;
     if (sees_surfaces) {
-        ++score_counts_[std::min(static_cast<std::size_t>(score / step_of_scores), score_counts_.size() - 1)];
+        ++score_counts_[std::min(static_cast<std::size_t>(fit.score / step_of_scores), score_counts_.size() - 1)];
     }
     const double moved_m =
         std::hypot(odometry.x_m, odometry.y_m) + std::hypot(odometry_before_.x_m, odometry_before_.y_m);
     const double turned_rad = std::abs(odometry.theta_rad + odometry_before_.theta_rad);
-    const double higher = std::max(score, score_before_.value_or(1.0));
-    if (sees_surfaces && score_before_ && higher < sums_.seam.score &&
+    if (sees_surfaces && fit_before_ &&
         (moved_m > searched.search_distance_m || turned_rad > searched.search_turn_rad)) {
-        sums_.seam = {.score = higher,
-                      .s = 1e-9 * static_cast<double>(update.corrected.stamp_ns - first_stamp_ns_),
-                      .moved_m = moved_m,
-                      .turned_rad = turned_rad};
+        const MotionEvidence::Seam seam{.score = std::max(fit.score, fit_before_->score),
+                                        .best_particle = std::max(fit.best_particle, fit_before_->best_particle),
+                                        .s = 1e-9 * static_cast<double>(update.corrected.stamp_ns - first_stamp_ns_),
+                                        .moved_m = moved_m,
+                                        .turned_rad = turned_rad};
+        sums_.seam = seam.misfit() > sums_.seam.misfit() ? seam : sums_.seam;
     }
-    score_before_ = sees_surfaces ? std::optional(score) : std::nullopt;
+    fit_before_ = sees_surfaces ? std::optional(fit) : std::nullopt;
     odometry_before_ = odometry;
 }
 

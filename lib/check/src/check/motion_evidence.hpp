@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -31,10 +32,18 @@ struct MotionEvidence {
     /// Where two updates in a row fit the map worst, of those in which the robot came farther by its odometry than the
     /// wide search of a match looks to one side. Nothing but the odometry joins the map before it to the map after it.
     struct Seam {
-        double score = 1.0;  ///< the higher of the two; 1 if there was no such place
-        double s = 0.0;      ///< when, in seconds since the first update
+        double score = 1.0;          ///< the higher of the two; 1 if there was no such place
+        double best_particle = 1.0;  ///< the same of the particle that fits best, which need not be the likeliest
+        double s = 0.0;              ///< when, in seconds since the first update
         double moved_m = 0.0;
         double turned_rad = 0.0;
+        /// Shares of the usual score below which a pair fits badly, for the likeliest particle and for any.
+        static constexpr double least_score = 1.0 / 2.0;
+        static constexpr double least_best_particle = 2.0 / 3.0;
+        /// How far the scores lie below what these shares of a full score would be: the larger the worse.
+        [[nodiscard]] double misfit() const {
+            return -std::max(score / least_score, best_particle / least_best_particle);
+        }
     } seam;
 
     /// Poor wheels err by so much of the way.
@@ -65,7 +74,12 @@ public:
     [[nodiscard]] MotionEvidence evidence() const;
 
 private:
-    void add_score(const Update& update, double score, bool sees_surfaces);
+    /// The scores of the likeliest particle and of the one that fits best.
+    struct Fit {
+        double score = 1.0;
+        double best_particle = 1.0;
+    };
+    void add_fit(const Update& update, const Fit& fit, bool sees_surfaces);
     void add_blind(double odometry_m, double turn_rad);
     void add_open(double odometry_m, double along_m, bool between_walls);
 
@@ -77,8 +91,8 @@ private:
 
     MotionEvidence sums_;
     std::int64_t first_stamp_ns_ = 0;
-    std::optional<double> score_before_;  ///< of the update before, if that saw surfaces
-    Pose2 odometry_before_;               ///< its motion by the odometry
+    std::optional<Fit> fit_before_;  ///< of the update before, if that saw surfaces
+    Pose2 odometry_before_;          ///< its motion by the odometry
     Openness before_ = Openness::held;
     double stretch_m_ = 0.0;
     double open_length_m_ = 0.0;  ///< since the scans last told the position for a while

@@ -210,10 +210,11 @@ Found scans_do_not_fit(const Evidence& evidence) {
 /// A scan that fits half as well as usual has lost most of what it is matched with. Where that happens at one update,
 /// the next finds the map again: good runs of logs whose scans pause in a turn have such an update. Two of them in a
 /// row, while the robot comes farther than a match searches, leave the odometry alone to join the two parts of the map.
+/// Where some particle fits well, it is the one that survives.
 Found torn_at_a_seam(const Evidence& evidence) {
-    constexpr double least_share = 0.5;
     const MotionEvidence::Seam& seam = evidence.motion.seam;
-    if (seam.score >= least_share * evidence.motion.usual_score) {
+    if (seam.score >= seam.least_score * evidence.motion.usual_score ||
+        seam.best_particle >= seam.least_best_particle * evidence.motion.usual_score) {
         return std::nullopt;
     }
     return Finding{Standing::doubtful,
