@@ -81,6 +81,41 @@ TEST(MotionEvidence, JumpsAndMissesAreCounted) {
     EXPECT_EQ(witness.evidence().unmatched, 1U);
 }
 
+/// The seam of a drive straight on with scores of 0.9, in which two updates turn by `turn_rad` each and have the given
+/// scores.
+MotionEvidence::Seam seam_of(double turn_rad, double first_score, double second_score,
+                             Openness openness = Openness::held) {
+    MotionWitness witness;
+    std::uint64_t number = 0;
+    const auto add = [&](double turned_rad, double score, Openness seen) {
+        Update update = update_of({0.1, 0.0, turned_rad}, {0.1, 0.0, turned_rad}, number, score);
+        update.matched.stamp_ns = update.corrected.stamp_ns = static_cast<std::int64_t>(1'000'000'000 * (number + 5));
+        ++number;
+        witness.add(update, seen);
+    };
+    for (int step = 0; step < 20; ++step) {
+        const bool turning = step == 10 || step == 11;
+        const double score = step == 10 ? first_score : step == 11 ? second_score : 0.9;
+        add(turning ? turn_rad : 0.0, score, turning ? openness : Openness::held);
+    }
+    EXPECT_NEAR(witness.evidence().usual_score, 0.9, 0.01);
+    return witness.evidence().seam;
+}
+
+TEST(MotionEvidence, TwoPoorFitsInATurnAreASeam) {
+    const MotionEvidence::Seam seam = seam_of(0.5, 0.2, 0.4);
+    EXPECT_NEAR(seam.score, 0.4, 1e-9);
+    EXPECT_NEAR(seam.s, 11.0, 1e-9);
+    EXPECT_NEAR(seam.moved_m, 0.2, 1e-9);
+    EXPECT_NEAR(seam.turned_rad, 1.0, 1e-9);
+}
+
+TEST(MotionEvidence, NoSeamIsWhereTheNextScanFitsOrTheRobotHardlyMovesOrSeesNothing) {
+    EXPECT_NEAR(seam_of(0.5, 0.2, 0.9).score, 0.9, 1e-9);
+    EXPECT_EQ(seam_of(0.1, 0.2, 0.4).score, 1.0);
+    EXPECT_EQ(seam_of(0.5, 0.2, 0.4, Openness::blind).score, 1.0);
+}
+
 TEST(MotionEvidence, WhatAddsUpOnAnOpenStretchIsFound) {
     const auto stalled = [](const Pose2& odometry, int) { return Pose2{0.9 * odometry.x_m, 0.0, odometry.theta_rad}; };
     const MotionEvidence open = driven(stalled, Openness::walls);

@@ -35,7 +35,9 @@ Evidence healthy() {
                        .worst_jump_m = 0.6,
                        .worst_jump_rad = 0.2,
                        .score = 0.9,
+                       .usual_score = 0.9,
                        .unmatched = 10,
+                       .seam = {.score = 0.3, .best_particle = 0.7, .s = 12.0, .moved_m = 0.4, .turned_rad = 1.4},
                        .open = {.odometry_m = 60.0,
                                 .matched_m = 59.0,
                                 .worst_stretch_m = 0.6,
@@ -78,6 +80,12 @@ std::vector<Fault> faults() {
         {"the path turns away from the odometry by 34 degrees",
          [](Evidence& e) { e.motion.open.worst_blind_turn_rad = 0.6; }},
         {"200 of 1000 scans fit the map nowhere", [](Evidence& e) { e.motion.unmatched = 200; }},
+        {"12 s after the first scan, two scans in a row fit the map with scores of at most 0.41, where 0.90 is usual, "
+         "while the robot moved by 0.40 m and turned by 80 degrees",
+         [](Evidence& e) {
+             e.motion.seam.score = 0.41;
+             e.motion.seam.best_particle = 0.52;
+         }},
         {"stands still and then leaps, 400 times", [](Evidence& e) { e.steps.stairs = 400; }},
         {"the scans pause 1 time (up to 20.0 s)",
          [](Evidence& e) {

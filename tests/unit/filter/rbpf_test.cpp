@@ -109,6 +109,27 @@ TEST(Rbpf, StaysFiniteWhenOdometryJumps) {
     expect_finite_pose_for_every_scan(filtered(frames, few_particles()), frames);
 }
 
+/// A drive in which one scan fits nowhere, and after it the odometry is off by `slip`: as in a pause of the scans in
+/// which the robot turns.
+double error_after_slip_m(std::size_t garbled, const Pose2& slip) {
+    std::vector<SensorFrame> frames = room_drive();
+    for (std::size_t beam = 0; beam < frames[garbled].scan.ranges_m.size(); ++beam) {
+        frames[garbled].scan.ranges_m[beam] = 0.5F + 0.3F * static_cast<float>(beam % 7);
+    }
+    const Pose2 before = frames[garbled].odom_from_robot;
+    for (std::size_t i = garbled + 1; i < frames.size(); ++i) {
+        frames[i].odom_from_robot = before * slip * between(before, frames[i].odom_from_robot);
+    }
+    return distance_m(filtered(frames, few_particles()).back().pose, *frames.back().world_from_robot);
+}
+
+/// In both cases a search of headings first and places after ends with a map that is torn by more than a metre.
+TEST(Rbpf, FindsTheMapAgainAfterAScanThatFitsNowhere) {
+    ASSERT_EQ(room_drive().size(), 99U);
+    EXPECT_LT(error_after_slip_m(49, {0.5, -0.5, -0.33}), 0.05);
+    EXPECT_LT(error_after_slip_m(66, {0.5, 0.5, 0.33}), 0.05);
+}
+
 TEST(Rbpf, BeforeTheFirstScanHasNoTrajectory) { EXPECT_TRUE(filtered({}, few_particles()).empty()); }
 
 /// The last pose of the trajectory is the pose that the filter reported for the last scan, because nothing later could

@@ -83,6 +83,24 @@ TEST(ScanMatcher, MatchesFromTheStartThatFitsBest) {
     EXPECT_EQ(matcher().match_from({&far, 1}, match, view.grid, view.match_points, far, loose).pose, match.pose);
 }
 
+/// Off in place and heading at once, headings tried where the robot is not may all look wrong.
+TEST(ScanMatcher, AllPairsOfPlaceAndHeadingFindWhatOneAfterTheOtherMisses) {
+    RandomStream random{3};
+    const View view;
+    const auto found_from = [&](const Pose2& start, SearchOrder order) {
+        const Pose2 found = matcher().search(view.grid, view.match_points, start, order);
+        return matcher().match_directly(view.grid, view.match_points, found, loose).score > 0.9;
+    };
+    int missed = 0;
+    for (int i = 0; i < 40; ++i) {
+        const Pose2 start =
+            view.pose * Pose2{random.uniform(-0.55, 0.55), random.uniform(-0.55, 0.55), random.uniform(-0.33, 0.33)};
+        EXPECT_TRUE(found_from(start, SearchOrder::all_pairs)) << i;
+        missed += found_from(start, SearchOrder::headings_first) ? 0 : 1;
+    }
+    EXPECT_GT(missed, 0);
+}
+
 TEST(ScanMatcher, LeavesTheWayAlongACorridorToThePrior) {
     const sim::World corridor = room(80.0, 2.0);
     const Pose2 mapped_from{0.3, 0.1, 0.0};

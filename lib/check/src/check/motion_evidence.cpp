@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "base/squared.hpp"
 #include "ddtool/filter/scan_matcher.hpp"
@@ -28,10 +29,23 @@ const SnapshotParticle& best_of(const ParticleSnapshot& swarm) {
         [](const SnapshotParticle& a, const SnapshotParticle& b) { return a.log_likelihood < b.log_likelihood; });
 }
 
+/// The median in bins, at the middle of its bin; 0 if nothing was counted.
+template <std::size_t Bins>
+double median_of(const std::array<std::uint32_t, Bins>& counts) {
+    const std::uint64_t all = std::accumulate(counts.begin(), counts.end(), std::uint64_t{0});
+    std::uint64_t below = 0;
+    const auto median = std::find_if(counts.begin(), counts.end(), [&](std::uint32_t count) {
+        below += count;
+        return 2 * below >= all;
+    });
+    return all == 0 ? 0.0 : static_cast<double>(median - counts.begin()) + 0.5;
+}
+
 }  // namespace
 
 void MotionWitness::add(const Update& update, Openness openness) {
     if (update.matched.update == 0 || update.corrected.particles.empty()) {
+        first_stamp_ns_ = update.matched.stamp_ns;
         return;
     }
     const SnapshotParticle& best = best_of(update.corrected);
@@ -60,6 +74,9 @@ void MotionWitness::add(const Update& update, Openness openness) {
     sums_.worst_jump_m = std::max(sums_.worst_jump_m, apart_m);
     sums_.worst_jump_rad = std::max(sums_.worst_jump_rad, apart_rad);
     scores_ += best.match_score;
+    const double best_fit =
+        std::ranges::max(update.corrected.particles, {}, &SnapshotParticle::match_score).match_score;
+    add_fit(update, {.score = best.match_score, .best_particle = best_fit}, openness != Openness::blind);
     sums_.unmatched += openness != Openness::blind && best.match_score < ScanMatch::least_score ? 1 : 0;
 
     const bool open = openness != Openness::held && before_ != Openness::held;
@@ -77,6 +94,28 @@ void MotionWitness::add(const Update& update, Openness openness) {
         blind_turn_rad_ = blind_length_m_ = 0.0;
     }
     before_ = openness;
+}
+
+void MotionWitness::add_fit(const Update& update, const Fit& fit, bool sees_surfaces) {
+    constexpr ScanMatcherSettings searched;
+    const Pose2& odometry = update.corrected.odometry_motion;
+    if (sees_surfaces) {
+        ++score_counts_[std::min(static_cast<std::size_t>(fit.score / step_of_scores), score_counts_.size() - 1)];
+    }
+    const double moved_m =
+        std::hypot(odometry.x_m, odometry.y_m) + std::hypot(odometry_before_.x_m, odometry_before_.y_m);
+    const double turned_rad = std::abs(odometry.theta_rad + odometry_before_.theta_rad);
+    if (sees_surfaces && fit_before_ &&
+        (moved_m > searched.search_distance_m || turned_rad > searched.search_turn_rad)) {
+        const MotionEvidence::Seam seam{.score = std::max(fit.score, fit_before_->score),
+                                        .best_particle = std::max(fit.best_particle, fit_before_->best_particle),
+                                        .s = 1e-9 * static_cast<double>(update.corrected.stamp_ns - first_stamp_ns_),
+                                        .moved_m = moved_m,
+                                        .turned_rad = turned_rad};
+        sums_.seam = seam.misfit() > sums_.seam.misfit() ? seam : sums_.seam;
+    }
+    fit_before_ = sees_surfaces ? std::optional(fit) : std::nullopt;
+    odometry_before_ = odometry;
 }
 
 /// A robot that saw nothing for a while may be put right in one step where it sees something again, so that only steps
@@ -117,12 +156,8 @@ MotionEvidence MotionWitness::evidence() const {
         return evidence;
     }
     evidence.score = scores_ / static_cast<double>(evidence.updates);
-    std::uint64_t below = 0;
-    const auto median = std::find_if(differences_.begin(), differences_.end(), [&](std::uint32_t count) {
-        below += count;
-        return 2 * below >= evidence.updates;
-    });
-    evidence.usual_m = step_of_differences_m * (static_cast<double>(median - differences_.begin()) + 0.5);
+    evidence.usual_m = step_of_differences_m * median_of(differences_);
+    evidence.usual_score = step_of_scores * median_of(score_counts_);
     if (squares_ > 0.0) {
         evidence.along = dot_ / squares_;
         evidence.across = cross_ / squares_;

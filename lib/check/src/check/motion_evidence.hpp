@@ -1,7 +1,9 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
+#include <optional>
 
 #include "check/openness.hpp"
 #include "ddtool/filter/update.hpp"
@@ -24,7 +26,25 @@ struct MotionEvidence {
     double worst_jump_m = 0.0;  ///< largest difference
     double worst_jump_rad = 0.0;
     double score = 0.0;           ///< mean score of the matches, 0..1
+    double usual_score = 0.0;     ///< median score of those whose scan sees surfaces
     std::uint64_t unmatched = 0;  ///< updates whose scan fits the map nowhere, though it sees surfaces
+
+    /// Where two updates in a row fit the map worst, of those in which the robot came farther by its odometry than the
+    /// wide search of a match looks to one side. Nothing but the odometry joins the map before it to the map after it.
+    struct Seam {
+        double score = 1.0;          ///< the higher of the two; 1 if there was no such place
+        double best_particle = 1.0;  ///< the same of the particle that fits best, which need not be the likeliest
+        double s = 0.0;              ///< when, in seconds since the first update
+        double moved_m = 0.0;
+        double turned_rad = 0.0;
+        /// Shares of the usual score below which a pair fits badly, for the likeliest particle and for any.
+        static constexpr double least_score = 1.0 / 2.0;
+        static constexpr double least_best_particle = 2.0 / 3.0;
+        /// How far the scores lie below what these shares of a full score would be: the larger the worse.
+        [[nodiscard]] double misfit() const {
+            return -std::max(score / least_score, best_particle / least_best_particle);
+        }
+    } seam;
 
     /// Poor wheels err by so much of the way.
     static constexpr double wheels_share = 0.05;
@@ -54,13 +74,25 @@ public:
     [[nodiscard]] MotionEvidence evidence() const;
 
 private:
+    /// The scores of the likeliest particle and of the one that fits best.
+    struct Fit {
+        double score = 1.0;
+        double best_particle = 1.0;
+    };
+    void add_fit(const Update& update, const Fit& fit, bool sees_surfaces);
     void add_blind(double odometry_m, double turn_rad);
     void add_open(double odometry_m, double along_m, bool between_walls);
 
     static constexpr double step_of_differences_m = 0.005;
     std::array<std::uint32_t, 400> differences_{};  ///< a histogram; the last bin takes all that are larger
 
+    static constexpr double step_of_scores = 0.005;
+    std::array<std::uint32_t, 201> score_counts_{};  ///< a histogram, of scans that see surfaces
+
     MotionEvidence sums_;
+    std::int64_t first_stamp_ns_ = 0;
+    std::optional<Fit> fit_before_;  ///< of the update before, if that saw surfaces
+    Pose2 odometry_before_;          ///< its motion by the odometry
     Openness before_ = Openness::held;
     double stretch_m_ = 0.0;
     double open_length_m_ = 0.0;  ///< since the scans last told the position for a while

@@ -207,6 +207,25 @@ Found scans_do_not_fit(const Evidence& evidence) {
                                            " scans fit the map nowhere near the robot"};
 }
 
+/// A scan that fits half as well as usual has lost most of what it is matched with. Where that happens at one update,
+/// the next finds the map again: good runs of logs whose scans pause in a turn have such an update. Two of them in a
+/// row, while the robot comes farther than a match searches, leave the odometry alone to join the two parts of the map.
+/// Where some particle fits well, it is the one that survives.
+Found torn_at_a_seam(const Evidence& evidence) {
+    const MotionEvidence::Seam& seam = evidence.motion.seam;
+    if (seam.score >= seam.least_score * evidence.motion.usual_score ||
+        seam.best_particle >= seam.least_best_particle * evidence.motion.usual_score) {
+        return std::nullopt;
+    }
+    return Finding{Standing::doubtful,
+                   fixed_text(seam.s, 0) +
+                       " s after the first scan, two scans in a row fit the map with scores of at most " +
+                       fixed_text(seam.score, 2) + ", where " + fixed_text(evidence.motion.usual_score, 2) +
+                       " is usual, while the robot moved by " + metres(seam.moved_m) + " and turned by " +
+                       fixed_text(seam.turned_rad * 180.0 / std::numbers::pi, 0) +
+                       " degrees: what was mapped before may lie askew to what was mapped after"};
+}
+
 /// Starting from a stop may look like a stair once in a while.
 Found odometry_in_stairs(const Evidence& evidence) {
     constexpr std::uint64_t few = 5;
@@ -297,7 +316,7 @@ Verdict verdict_of(const Evidence& evidence) {
     for (const auto& rule :
          {neighbours_disagree, revisits_disagree, lengths_differ, turns_differ, drives_askew, turns_about_another_point,
           path_trembles, jumps, departs_without_ground, leaps_without_ground, turns_without_ground, scans_do_not_fit,
-          odometry_in_stairs, motion_lost, scans_see_nothing, odometry_races, leaves_good_odometry}) {
+          torn_at_a_seam, odometry_in_stairs, motion_lost, scans_see_nothing, odometry_races, leaves_good_odometry}) {
         if (const Found found = rule(evidence)) {
             verdict.standing = std::max(verdict.standing, found->standing);
             verdict.reasons.push_back(found->reason);

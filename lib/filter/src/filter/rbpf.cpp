@@ -232,7 +232,7 @@ void Rbpf::match(const PreparedScan& scan, const Step& step) {
 /// common up to what they disagree about. So only every fourth of those with a doubtful match searches, and the others
 /// start from the best of the motions found. Particles lie in the order of their ancestors, so that no family is left
 /// out. In a known map, which is one for all, each particle has a way of its own to the right pose.
-void Rbpf::search_widely(const PreparedScan& scan, const Step& step) {
+void Rbpf::search_widely(const PreparedScan& scan, const Step& step, SearchOrder order) {
     const std::size_t every = known_map_ ? 1 : 4;
     std::vector<std::size_t> doubtful;
     for (std::size_t index = 0; index < particles_.size(); ++index) {
@@ -245,7 +245,7 @@ void Rbpf::search_widely(const PreparedScan& scan, const Step& step) {
         const Particle& particle = particles_[doubtful[every * number]];
         motions[number] =
             between(particle.pose_before,
-                    workers_[worker].matcher.search(grid_of(particle), scan.match_points, particle.match_start));
+                    workers_[worker].matcher.search(grid_of(particle), scan.match_points, particle.match_start, order));
     });
     threads_.for_each(doubtful.size(), [&](std::size_t number, std::size_t worker) {
         Particle& particle = particles_[doubtful[number]];
@@ -259,6 +259,20 @@ void Rbpf::search_widely(const PreparedScan& scan, const Step& step) {
             workers_[worker].matcher.match_from(starts, particle.match, grid_of(particle), scan.match_points,
                                                 particle.match_start, prior_of_match(particle, step));
     });
+}
+
+/// After a scan that fits nowhere, as where the scans pause while the robot turns, the pose may be off in place and
+/// heading at once. If the next scan then fits nowhere well, either, all pairs of both are tried.
+void Rbpf::search_widely(const PreparedScan& scan, const Step& step) {
+    constexpr double well = 2.0 / 3.0;  // of the usual score
+    constexpr double nowhere = 0.5;
+    search_widely(scan, step, SearchOrder::headings_first);
+    const auto lower_score = [](const Particle& a, const Particle& b) { return a.match.score < b.match.score; };
+    const double found = std::max_element(particles_.begin(), particles_.end(), lower_score)->match.score;
+    if (!known_map_ && last_fitted_nowhere_ && found < well * usual_score_) {
+        search_widely(scan, step, SearchOrder::all_pairs);
+    }
+    last_fitted_nowhere_ = found < nowhere * usual_score_;
 }
 
 void Rbpf::reweight() {
@@ -304,7 +318,9 @@ void Rbpf::correct(const PreparedScan& scan, const Step& step, const Degeneracy&
 }
 
 void Rbpf::learn(const PreparedScan& scan, const Step& step) {
+    constexpr double remembered_updates = 300.0;
     const Particle& particle = best();
+    usual_score_ += (particle.match.score - usual_score_) / std::min(static_cast<double>(updates_), remembered_updates);
     const auto pose_before = [&](std::size_t updates) {
         return updates == 0 ? particle.pose : path_.pose_before(particle.past, updates - 1);
     };

@@ -112,7 +112,8 @@ ScanMatch ScanMatcher::refine(const OccupancyGrid& grid, const MatchPoints& poin
     return evaluated(grid, points, pose);
 }
 
-Pose2 ScanMatcher::search(const OccupancyGrid& grid, const MatchPoints& points, const Pose2& initial) {
+Pose2 ScanMatcher::search(const OccupancyGrid& grid, const MatchPoints& points, const Pose2& initial,
+                          SearchOrder order) {
     surfaces_.begin(points);
     Pose2 best = initial;
     double best_score = scored(grid, points, initial, search_stride);
@@ -123,23 +124,31 @@ Pose2 ScanMatcher::search(const OccupancyGrid& grid, const MatchPoints& points, 
             best = pose;
         }
     };
-    // Each round tries headings first and then positions. The second round is finer and starts from the best pose of
-    // the first.
     constexpr int turn_steps = 10;
     constexpr int distance_steps = 3;
-    for (int round = 0; round < 2; ++round) {
-        const double scale = round == 0 ? 1.0 : 0.4;
-        const Pose2 turn_centre = best;
+    const auto consider_headings = [&](const Pose2& centre, double scale) {
         for (int turn = -turn_steps; turn <= turn_steps; ++turn) {
             const double angle = scale * settings_.search_turn_rad * turn / turn_steps;
-            consider({turn_centre.x_m, turn_centre.y_m, wrap_angle(turn_centre.theta_rad + angle)});
+            consider({centre.x_m, centre.y_m, wrap_angle(centre.theta_rad + angle)});
         }
-        const Pose2 centre = best;
+    };
+    const auto for_each_place = [&](const Pose2& centre, double scale, const auto& look) {
         const double step_m = scale * settings_.search_distance_m / distance_steps;
         for (int x = -distance_steps; x <= distance_steps; ++x) {
             for (int y = -distance_steps; y <= distance_steps; ++y) {
-                consider({centre.x_m + x * step_m, centre.y_m + y * step_m, centre.theta_rad});
+                look(Pose2{centre.x_m + x * step_m, centre.y_m + y * step_m, centre.theta_rad});
             }
+        }
+    };
+    if (order == SearchOrder::all_pairs) {
+        for_each_place(initial, 1.0, [&](const Pose2& place) { consider_headings(place, 1.0); });
+    }
+    // Each round tries headings first and then positions. The second round is finer and starts from the best pose of
+    // the first.
+    for (const double scale : {1.0, 0.4}) {
+        if (scale < 1.0 || order == SearchOrder::headings_first) {
+            consider_headings(Pose2(best), scale);
+            for_each_place(Pose2(best), scale, consider);
         }
     }
     return best;

@@ -127,6 +127,7 @@ private:
     void propagate(const Step& step);
     void match(const PreparedScan& scan, const Step& step);
     void search_widely(const PreparedScan& scan, const Step& step);
+    void search_widely(const PreparedScan& scan, const Step& step, SearchOrder order);
     void reweight();
     /// Exponent on the likelihood of a scan of this log.
     [[nodiscard]] double gain() const;
@@ -153,6 +154,8 @@ private:
     bool placed_anew_ = false;                              ///< the particles are at their poses of the next frame
     ScanNoise noise_;                                       ///< with each beam's distance cut off as in the likelihood
     ScanNoise beam_noise_;                                  ///< with each beam's weight in the match
+    double usual_score_ = 0.0;                              ///< of the best particle's matches, a running mean
+    bool last_fitted_nowhere_ = false;                      ///< the scan of the last update, in any particle's map
     Eigen::Matrix3d covariance_ = Eigen::Matrix3d::Zero();  ///< of the pose at the last update
 };
 

@@ -36,6 +36,12 @@ struct PosePrior {
 /// The prior as an information matrix about (x, y, theta) in the world, for a robot with heading theta_rad.
 Eigen::Matrix3d information_of(const PosePrior& prior, double theta_rad);
 
+/// How a wide search tries the headings and places around its start.
+enum class SearchOrder {
+    headings_first,  ///< all headings where the robot should be, then all places with the best of these
+    all_pairs        ///< each heading at each place: finds a pose that is off in both, for eight times the work
+};
+
 struct ScanMatch {
     Pose2 pose;          ///< world_from_robot
     double score = 0.0;  ///< mean over the beams of (1 - q / reach^2)^3; q: squared distance to the mapped surface
@@ -75,7 +81,8 @@ public:
     /// whether it calls for a wide search,
     [[nodiscard]] bool is_doubtful(const ScanMatch& direct) const { return direct.score < settings_.doubtful_score; }
     /// the pose that the wide search around `initial` finds,
-    Pose2 search(const OccupancyGrid& grid, const MatchPoints& points, const Pose2& initial);
+    Pose2 search(const OccupancyGrid& grid, const MatchPoints& points, const Pose2& initial,
+                 SearchOrder order = SearchOrder::headings_first);
     /// and the match from the start that fits best, or `direct` if that has the higher score. `starts` is not empty.
     ScanMatch match_from(std::span<const Pose2> starts, const ScanMatch& direct, const OccupancyGrid& grid,
                          const MatchPoints& points, const Pose2& initial, const PosePrior& prior);
