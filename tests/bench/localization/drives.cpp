@@ -1,7 +1,9 @@
 #include "drives.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <ostream>
+#include <utility>
 
 #include "ddtool/filter/filter_run.hpp"
 #include "ddtool/filter/scan_insertion.hpp"
@@ -38,6 +40,12 @@ private:
 
 }  // namespace
 
+Pose2 MadeMap::in_map(const Pose2& world_from_robot) const {
+    const Pose& nearest = *std::ranges::min_element(
+        path, {}, [&](const Pose& pose) { return distance_m(pose.world_from_robot, world_from_robot); });
+    return nearest.map_from_robot * between(nearest.world_from_robot, world_from_robot);
+}
+
 Place place_of(const std::string& name) {
     const std::size_t at = name.find('@');
     const std::string world = name.substr(0, at);
@@ -69,8 +77,13 @@ MadeMap map_of(const std::vector<SensorFrame>& frames) {
     const FilterRun run =
         run_filter(stream, *filter, [](const SensorFrame&, const std::optional<Update>&) { return true; });
     const AteResult error = absolute_trajectory_error(run.trajectory, run.ground_truth);
+    std::vector<MadeMap::Pose> path;
+    for (std::size_t index = 0; index < run.trajectory.size(); ++index) {
+        path.push_back({run.ground_truth[index].pose, run.trajectory[index].pose});
+    }
     return {
         .grid = std::make_shared<const OccupancyGrid>(run.map),
+        .path = std::move(path),
         .map_from_world = inverse(error.reference_from_estimate),
         .ate_m = error.translation_m.rmse,
         .ate_from_start_m = absolute_trajectory_error(run.trajectory, run.ground_truth, {.alignment = Alignment::first})
@@ -82,8 +95,10 @@ MadeMap true_map_of(const std::vector<SensorFrame>& frames) {
     ScanInserter inserter;
     const Pose2 map_from_world = inverse(*frames.front().world_from_robot);
     Pose2 last{1e9, 0.0, 0.0};
+    std::vector<MadeMap::Pose> path;
     for (const SensorFrame& frame : frames) {
         const Pose2 pose = map_from_world * *frame.world_from_robot;
+        path.push_back({*frame.world_from_robot, pose});
         constexpr double entry_m = 0.3;
         constexpr double entry_rad = 0.3;
         if (distance_m(last, pose) > entry_m || std::abs(wrap_angle(last.theta_rad - pose.theta_rad)) > entry_rad) {
@@ -91,7 +106,9 @@ MadeMap true_map_of(const std::vector<SensorFrame>& frames) {
             last = pose;
         }
     }
-    return {.grid = std::make_shared<const OccupancyGrid>(std::move(grid)), .map_from_world = map_from_world};
+    return {.grid = std::make_shared<const OccupancyGrid>(std::move(grid)),
+            .path = std::move(path),
+            .map_from_world = map_from_world};
 }
 
 void write_map(const std::filesystem::path& folder, const Place& place, const MadeMap& map) {

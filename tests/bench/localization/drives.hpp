@@ -24,7 +24,16 @@ Place place_of(const std::string& name);
 
 /// A map of a drive, made by the default method, or drawn at the true poses.
 struct MadeMap {
+    struct Pose {
+        Pose2 world_from_robot;  ///< the truth
+        Pose2 map_from_robot;    ///< where the map has its scan
+    };
+
+    /// Where a pose of the world is in the map, which may be bent: beside the nearest pose of the mapping drive.
+    [[nodiscard]] Pose2 in_map(const Pose2& world_from_robot) const;
+
     std::shared_ptr<const OccupancyGrid> grid;
+    std::vector<Pose> path;         ///< of the mapping drive
     Pose2 map_from_world;           ///< by the path of that drive and its truth
     double ate_m = 0.0;             ///< of that drive, aligned
     double ate_from_start_m = 0.0;  ///< of that drive from its first pose on, as a localisation has it

@@ -44,38 +44,58 @@ MadeMap made_map(const Plan& plan, const Place& place) {
     return plan.true_maps ? true_map_of(frames) : map_of(frames);
 }
 
+/// A row of the table: medians over the drives, and the worst moment of all.
+void print_errors(const std::vector<Followed>& drives, Errors Followed::*which) {
+    const auto each = [&](double Errors::*figure) {
+        std::vector<double> values;
+        for (const Followed& drive : drives) {
+            values.push_back(drive.*which.*figure);
+        }
+        return values;
+    };
+    const auto within = [&](double Errors::*share) {
+        constexpr double expected_share = 0.95;
+        return std::to_string(std::ranges::count_if(each(share), [](double value) { return value >= expected_share; }));
+    };
+    std::cout << cell(fixed_text(median(each(&Errors::ate_m)), 4), 9)
+              << cell(fixed_text(std::ranges::max(each(&Errors::ate_m)), 4), 9)
+              << cell(fixed_text(std::ranges::max(each(&Errors::worst_m)), 3), 9)
+              << cell(fixed_text(median(each(&Errors::nees_position)), 2), 9)
+              << cell(fixed_text(median(each(&Errors::nees_heading)), 2), 9)
+              << cell(within(&Errors::within_position), 6) << cell(within(&Errors::within_heading), 6);
+}
+
 void follow_all(const Plan& plan, const localization::LocalizationSettings& settings) {
-    std::cout << "follow            drives  map ATE  ATE med    worst  NEES x,y  NEES yaw      sure   ms/upd  "
-                 "particles  mapping\n";
+    const std::string errors = "  ATE med  ATE max    worst  NEES xy      yaw    in    in";
+    std::cout << "follow            drives  map ATE     against the truth:" << std::string(33, ' ')
+              << "     in the map:\n"
+              << std::string(33, ' ') << errors << errors << "    sure   ms/upd  particles  mapping\n";
     for (const std::string& name : plan.followed) {
         const Place place = place_of(name);
         const MadeMap map = made_map(plan, place);
         if (!plan.folder.empty()) {
             write_map(made_folder(plan.folder), place, map);
         }
-        std::vector<double> ate, worst, position, heading, sure, cpu, particles, mapping;
+        std::vector<Followed> drives;
+        std::vector<double> sure, cpu, particles, mapping;
         for (std::size_t drive = 0; drive < plan.drives; ++drive) {
             const std::vector<SensorFrame> frames = frames_of(drive_of(place, 2 + drive));
             if (!plan.folder.empty()) {
                 write_drive(plan.folder, place, map, 2 + drive, frames);
             }
-            const Followed one = follow(map, frames, settings);
+            drives.push_back(follow(map, frames, settings));
             if (plan.with_mapping) {
                 mapping.push_back(map_of(frames).ate_from_start_m);
             }
-            ate.push_back(one.ate_m);
-            worst.push_back(one.worst_m);
-            position.push_back(one.nees_position);
-            heading.push_back(one.nees_heading);
-            sure.push_back(one.sure_share);
-            cpu.push_back(one.cpu_ms);
-            particles.push_back(one.particles);
+            sure.push_back(drives.back().sure_share);
+            cpu.push_back(drives.back().cpu_ms);
+            particles.push_back(drives.back().particles);
         }
         std::cout << name << std::string(name.size() < 16 ? 16 - name.size() : 1, ' ')
-                  << cell(std::to_string(plan.drives), 8) << cell(fixed_text(map.ate_m, 3), 9)
-                  << cell(fixed_text(median(ate), 3), 9) << cell(fixed_text(*std::ranges::max_element(worst), 3), 9)
-                  << cell(fixed_text(median(position), 2)) << cell(fixed_text(median(heading), 2))
-                  << cell(fixed_text(median(sure), 2)) << cell(fixed_text(median(cpu), 2), 9)
+                  << cell(std::to_string(plan.drives), 8) << cell(fixed_text(map.ate_m, 3), 9);
+        print_errors(drives, &Followed::in_building);
+        print_errors(drives, &Followed::in_map);
+        std::cout << cell(fixed_text(median(sure), 2), 8) << cell(fixed_text(median(cpu), 2), 9)
                   << cell(fixed_text(median(particles), 0), 11)
                   << cell(mapping.empty() ? "-" : fixed_text(median(mapping), 3), 9) << std::endl;
     }

@@ -59,6 +59,38 @@ private:
     double way_m_ = 0.0;
 };
 
+class ErrorMeans {
+public:
+    void add(const Update& update, const Pose2& truth) {
+        const Eigen::Vector2d apart(update.pose.x_m - truth.x_m, update.pose.y_m - truth.y_m);
+        const double position = apart.dot(update.covariance.topLeftCorner<2, 2>().inverse() * apart);
+        const double heading = squared(wrap_angle(update.pose.theta_rad - truth.theta_rad)) / update.covariance(2, 2);
+        ++updates_;
+        sums_.ate_m += apart.squaredNorm();
+        sums_.worst_m = std::max(sums_.worst_m, apart.norm());
+        sums_.nees_position += position;
+        sums_.nees_heading += heading;
+        sums_.within_position += position <= chi_square_of_two ? 1.0 : 0.0;
+        sums_.within_heading += heading <= chi_square_of_one ? 1.0 : 0.0;
+    }
+    [[nodiscard]] Errors means() const {
+        return {.ate_m = std::sqrt(sums_.ate_m / updates_),
+                .worst_m = sums_.worst_m,
+                .nees_position = sums_.nees_position / updates_,
+                .nees_heading = sums_.nees_heading / updates_,
+                .within_position = sums_.within_position / updates_,
+                .within_heading = sums_.within_heading / updates_};
+    }
+
+private:
+    /// Quantiles of .95.
+    static constexpr double chi_square_of_two = 5.991;
+    static constexpr double chi_square_of_one = 3.841;
+
+    Errors sums_;
+    double updates_ = 0.0;
+};
+
 }  // namespace
 
 Followed follow(const MadeMap& map, const std::vector<SensorFrame>& frames, const LocalizationSettings& settings) {
@@ -74,6 +106,7 @@ Followed follow(const MadeMap& map, const std::vector<SensorFrame>& frames, cons
         start_sd_rad};
     Trial trial(map, settings, given);
     Followed followed;
+    ErrorMeans in_building, in_map;
     double updates = 0.0;
     const double before_s = cpu_s();
     for (const SensorFrame& frame : frames) {
@@ -84,17 +117,12 @@ Followed follow(const MadeMap& map, const std::vector<SensorFrame>& frames, cons
         ++updates;
         followed.particles += static_cast<double>(trial.standing().particles);
         followed.sure_share += trial.standing().probability >= sure ? 1.0 : 0.0;
-        const Eigen::Vector2d apart(update->pose.x_m - trial.truth().x_m, update->pose.y_m - trial.truth().y_m);
-        const double turned = wrap_angle(update->pose.theta_rad - trial.truth().theta_rad);
-        followed.ate_m += apart.squaredNorm();
-        followed.worst_m = std::max(followed.worst_m, apart.norm());
-        followed.nees_position += apart.dot(update->covariance.topLeftCorner<2, 2>().inverse() * apart);
-        followed.nees_heading += squared(turned) / update->covariance(2, 2);
+        in_building.add(*update, trial.truth());
+        in_map.add(*update, map.in_map(*frame.world_from_robot));
     }
     followed.cpu_ms = 1e3 * (cpu_s() - before_s) / updates;
-    followed.ate_m = std::sqrt(followed.ate_m / updates);
-    followed.nees_position /= updates;
-    followed.nees_heading /= updates;
+    followed.in_building = in_building.means();
+    followed.in_map = in_map.means();
     followed.particles /= updates;
     followed.sure_share /= updates;
     return followed;

@@ -9,12 +9,20 @@
 
 namespace ddtool::localization_bench {
 
+/// How far the poses as known at each update are from the truth, not aligned.
+struct Errors {
+    double ate_m = 0.0;  ///< rmse
+    double worst_m = 0.0;
+    double nees_position = 0.0;    ///< mean squared error in units of the covariance; 2 if that is right
+    double nees_heading = 0.0;     ///< 1 if it is right
+    double within_position = 0.0;  ///< share of the poses that lie within the 95 % ellipse of their covariance
+    double within_heading = 0.0;   ///< the same for the heading
+};
+
 /// A localisation of a drive from its start to its end, from a start that was given to 2 cm and half a degree.
 struct Followed {
-    double ate_m = 0.0;  ///< rmse of the poses as known at each update, in the frame of the map, not aligned
-    double worst_m = 0.0;
-    double nees_position = 0.0;  ///< mean squared error in units of the covariance; 2 if that is right
-    double nees_heading = 0.0;   ///< 1 if it is right
+    Errors in_building;  ///< against the truth, laid on the map as a whole
+    Errors in_map;       ///< against where the map, which may be bent, has the place: MadeMap::in_map()
     double sure_share = 0.0;
     double cpu_ms = 0.0;  ///< per update
     double particles = 0.0;

@@ -81,6 +81,30 @@ TEST(InformationFusion, BelievesAMatchByTheNoiseOfItsBeams) {
     EXPECT_LT(from_match_m(5.0), 0.5 * from_match_m(1.0));
 }
 
+/// A particle that has taken over a match believes as much of it as the one that made it, and is judged by the same
+/// look at the map where both come to the same place.
+TEST(InformationFusion, TakesOverWhatWasWorkedOutForAMatch) {
+    KnownView view(furnished_room());
+    const Pose2 odometry = view.pose * Pose2{0.004, 0.003, 0.0};
+    const ScanMatch match = view.match_from(view.pose);
+    MatchContext context = view.context(view.pose, odometry, 0.004, 0.002);
+    const InformationFusion fusion({});
+    ScanMatch other = fusion.correct(context, match);
+    other.log_likelihood = -1234.0;
+    context.alike = &other;
+    const ScanMatch near = fusion.correct(context, match);
+    EXPECT_EQ(near.pose, other.pose);
+    EXPECT_EQ(near.information, other.information);
+    EXPECT_EQ(near.log_likelihood, -1234.0);
+
+    other.information *= 1e-3;
+    context.odometry = view.pose * Pose2{0.1, 0.0, 0.0};
+    context.odometry_information *= 1e3;
+    const ScanMatch far = fusion.correct(context, match);
+    EXPECT_LT(distance_m(far.pose, context.odometry), 0.02);
+    EXPECT_EQ(far.log_likelihood, view.matcher.evaluate(view.grid, view.match_points, far.pose).log_likelihood);
+}
+
 TEST(InformationFusion, WithoutAMatchFollowsTheOdometry) {
     KnownView view(furnished_room());
     const Pose2 odometry{50.0, 50.0, 1.0};  // far away from the mapped area

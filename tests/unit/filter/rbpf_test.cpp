@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 #include "room_run.hpp"
 
@@ -183,6 +184,20 @@ TEST(Rbpf, NoLongDriveLosesAPose) {
         settings.resample_share = 0.0;
         expect_finite_pose_for_every_scan(filtered(frames, settings), frames);
     }
+}
+
+/// In a known map the pose is at the place that weighs most, although the heaviest particle stands elsewhere.
+TEST(Rbpf, APlaceOfManyParticlesOutweighsAHeavyOne) {
+    const auto map = std::make_shared<OccupancyGrid>(OccupancySettings{});
+    ScanInserter().insert(*map, scan_points(room_drive().front(), {}), {});
+    ThreadPool threads(1);
+    Rbpf filter(few_particles(), threads, {}, map);
+    std::vector<Hypothesis> places{{.pose = {3.0, 0.0, 0.0}, .log_weight = std::log(0.4)}};
+    for (const double x_m : {0.0, 0.01, 0.02}) {
+        places.push_back({.pose = {x_m, 0.0, 0.0}, .log_weight = std::log(0.2)});
+    }
+    filter.place(places, 0.0);
+    EXPECT_EQ(filter.best().pose, Pose2{});
 }
 
 }  // namespace

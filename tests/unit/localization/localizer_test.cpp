@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <set>
+#include <utility>
 
 #include "ddtool/methods/method.hpp"
 #include "known_places.hpp"
@@ -16,14 +18,16 @@ using test::true_map;
 
 class Localization {
 public:
-    Localization(std::shared_ptr<const OccupancyGrid> map, std::optional<StartPose> start)
-        : localizer_(RbpfSettings{}, {}, threads_, make_strategies({}, {}), std::move(map), start) {}
+    Localization(std::shared_ptr<const OccupancyGrid> map, std::optional<StartPose> start, std::size_t particles = 30)
+        : localizer_(RbpfSettings{}, {.least_particles = particles}, threads_, make_strategies({}, {}), std::move(map),
+                     start) {}
 
     struct Seen {
         double error_m = 0.0;
         double along_sd_m = 0.0;  ///< in the direction of x
         Standing standing;
         double way_m = 0.0;
+        std::size_t matches = 0;  ///< different ones
     };
     /// What is known after each update; `moved` is put before the odometry.
     std::vector<Seen> over(std::span<const SensorFrame> frames, const Pose2& moved = {}) {
@@ -32,8 +36,12 @@ public:
             frame.odom_from_robot = moved * frame.odom_from_robot;
             if (const std::optional<Update> update = localizer_.update(frame)) {
                 way_m_ += std::hypot(update->matched.odometry_motion.x_m, update->matched.odometry_motion.y_m);
+                std::set<std::pair<double, double>> matches;
+                for (const SnapshotParticle& particle : update->matched.particles) {
+                    matches.insert({particle.pose.x_m, particle.pose.y_m});
+                }
                 all.push_back({distance_m(update->pose, *frame.world_from_robot), std::sqrt(update->covariance(0, 0)),
-                               localizer_.standing(), way_m_});
+                               localizer_.standing(), way_m_, matches.size()});
             }
         }
         return all;
@@ -72,6 +80,16 @@ TEST(Localizer, FollowsAGivenStart) {
     }
     EXPECT_EQ(one.localizer().trajectory().size(), rooms_drive().size());
     EXPECT_EQ(seen.back().standing.particles, 30U);
+}
+
+TEST(Localizer, ManyParticlesShareTheMatchesOfSome) {
+    const auto seen = Localization(rooms_map(), StartPose{.pose = {0.3, -0.2, 0.1}}, 300).over(rooms_drive());
+    for (std::size_t i = 10; i < seen.size(); ++i) {
+        EXPECT_LT(seen[i].error_m, 0.05) << i;
+        EXPECT_NEAR(static_cast<double>(seen[i].standing.particles), 300.0, 5.0) << i;
+        EXPECT_LE(seen[i].matches, 16U) << i;
+        EXPECT_GE(seen[i].matches, 4U) << i;
+    }
 }
 
 TEST(Localizer, FindsItselfWithoutAStart) {

@@ -42,17 +42,6 @@ TEST(ModeResampling, PlacesKeepTheirWeights) {
     }
 }
 
-TEST(ModeResampling, HeadingsAreDifferentPlaces) {
-    std::vector<SnapshotParticle> swarm;
-    add(swarm, 4, {0.0, 0.0, 3.1}, 0.5);
-    add(swarm, 4, {0.0, 0.0, -3.1}, 0.3);
-    add(swarm, 4, {0.0, 0.0, 0.0}, 0.2);
-    const std::vector<Mode> modes = modes_of(swarm);
-    ASSERT_EQ(modes.size(), 2U);  // 3.1 and -3.1 are 0.08 apart
-    EXPECT_NEAR(modes[0].weight, 0.8, 1e-12);
-    EXPECT_NEAR(modes[1].weight, 0.2, 1e-12);
-}
-
 TEST(ModeResampling, TheNumberFollowsTheSpread) {
     const ModeResampling resampling({.least_particles = 30, .most_particles = 200, .kld_error = 0.1});
     std::vector<SnapshotParticle> one;
@@ -70,6 +59,18 @@ TEST(ModeResampling, TheNumberFollowsTheSpread) {
         add(many, 1, {2.0 * place, 10.0, 0.0}, 1.0 / 300.0);
     }
     EXPECT_LE(resampling.resample(many, random).size(), 203U);
+}
+
+/// A search leaves fewer particles than the settings want.
+TEST(ModeResampling, AFewParticlesBecomeAsManyAsWanted) {
+    const ModeResampling resampling({.least_particles = 500, .most_particles = 500, .kld_error = 0.1});
+    std::vector<SnapshotParticle> swarm;
+    add(swarm, 90, {}, 1.0);
+    EXPECT_TRUE(resampling.is_due(swarm));
+    RandomStream random({1});
+    EXPECT_EQ(resampling.resample(swarm, random).size(), 500U);
+    add(swarm, 400, {}, 1.0);
+    EXPECT_FALSE(resampling.is_due(swarm));
 }
 
 TEST(ModeResampling, APlaceWithoutWeightIsDropped) {

@@ -6,37 +6,11 @@
 #include <string>
 
 #include "maps/saved_map.hpp"
-#include "sim/simulated_stream.hpp"
+#include "quick_drives.hpp"
 
 namespace ddtool::merging::test {
 
-/// Two rooms of different forms, joined by a corridor that has a recess.
-inline sim::World two_rooms() {
-    sim::World world{.name = "rooms", .description = "", .segments = {}, .arcs = {}, .route = {}};
-    sim::add_polyline(world, {{-2, -2},
-                              {3, -2},
-                              {3, -0.8},
-                              {5, -0.8},
-                              {5, -1.4},
-                              {6.2, -1.4},
-                              {6.2, -0.8},
-                              {9, -0.8},
-                              {9, -3},
-                              {14, -3},
-                              {14, 3},
-                              {11, 3},
-                              {11, 2},
-                              {9, 2},
-                              {9, 0.8},
-                              {3, 0.8},
-                              {3, 2.5},
-                              {-2, 2.5},
-                              {-2, -2}});
-    sim::add_box(world, {1.0, 1.5, 0.4}, 0.8, 0.5);
-    sim::add_box(world, {12.0, -1.5, 0.9}, 0.7, 0.7);
-    world.route = {.start = {}, .way_points = {{2.0, 0.0}, {10.0, 0.0}, {12.5, 1.0}, {10.0, 0.0}, {0.0, 0.0}}};
-    return world;
-}
+using ddtool::test::two_rooms;
 
 /// Two rooms with a corridor between them, the same seen from either end.
 inline sim::World twin_rooms() {
@@ -72,12 +46,7 @@ inline sim::World hall() {
 /// says.
 inline maps::SavedMap map_of(const sim::World& world, std::uint64_t seed, const Pose2& origin,
                              const std::function<bool(const Pose2&)>& taken) {
-    sim::SimulationSettings sensors;
-    sensors.seed = seed;
-    sensors.lidar.beams = 180;
-    sensors.lidar.rate_hz = 5.0;
-    sensors.lidar.range_max_m = 8.0;
-    sim::SimulatedStream stream(world, sensors);
+    sim::SimulatedStream stream(world, ddtool::test::quick_sensors(seed));
     maps::SavedMap map{OccupancySettings{}};
     map.program = "test";
     map.drives = {{.log = world.name + std::to_string(seed), .odometry = {}}};

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "driven_maps.hpp"
+#include "maps/map_edit.hpp"
 #include "thrown_text.hpp"
 
 namespace ddtool::merging {
@@ -83,6 +84,22 @@ TEST(MapMerge, TheSameDriveIsRefused) {
     const maps::SavedMap one = map_of(test::two_rooms(), 1, {}, test::anywhere);
     const maps::SavedMap part = map_of(test::two_rooms(), 1, {1.0, 0.0, 0.0}, left_part);
     EXPECT_NE(why_not(one, part).find("same drive"), std::string::npos) << why_not(one, part);
+}
+
+TEST(MapMerge, TheSameDriveIsRecognisedWherePointsWereTakenOut) {
+    const maps::SavedMap one = map_of(test::two_rooms(), 1, {}, test::anywhere);
+    maps::SavedMap cropped = one;
+    maps::crop(cropped, {-5.0, -5.0, 6.0, 5.0});
+    EXPECT_NE(why_not(one, cropped).find("same drive"), std::string::npos) << why_not(one, cropped);
+    EXPECT_NE(why_not(cropped, one).find("same drive"), std::string::npos) << why_not(cropped, one);
+}
+
+/// Simulated drives of one seed begin with the same stamps and odometry, wherever they are.
+TEST(MapMerge, DrivesOfOneSeedInDifferentPlacesAreNotTheSameDrive) {
+    const maps::SavedMap rooms = map_of(test::two_rooms(), 1, {}, test::anywhere);
+    const maps::SavedMap hall = map_of(test::hall(), 1, {}, test::anywhere);
+    EXPECT_EQ(why_not(rooms, hall).find("same drive"), std::string::npos) << why_not(rooms, hall);
+    EXPECT_NE(why_not(rooms, hall), "");
 }
 
 TEST(MapMerge, APictureIsRefused) {

@@ -57,15 +57,22 @@ ScanMatch InformationFusion::correct(const MatchContext& context, const ScanMatc
     if (matched) {
         // Even in a known map the match is judged against the last motion: what hardly holds the robot beside it is as
         // little to be believed where nothing has held the robot for long.
-        match = credible_information(context.information_factor * found.information, context.odometry_information,
-                                     normal_error_rad, context.degeneracy.degree);
+        match = context.alike != nullptr
+                    ? context.alike->information
+                    : credible_information(context.information_factor * found.information, context.odometry_information,
+                                           normal_error_rad, context.degeneracy.degree);
         apart = offset(context.odometry, found.pose) + offset_without_prior(found, context.predicted, context.prior);
         odometry = cautious(odometry, match, apart, settings_.most_deviations);
     }
     const Pose2 pose = moved_by(context.odometry, (match + odometry).ldlt().solve(match * apart));
+    const auto is_settled = [&](const ScanMatch& evaluated) {
+        const Eigen::Vector3d change = offset(evaluated.pose, pose);
+        return change.head<2>().norm() <= settings_.settled_m && std::abs(change.z()) <= settings_.settled_rad;
+    };
     ScanMatch fused = found;
-    const Eigen::Vector3d change = offset(found.pose, pose);
-    if (change.head<2>().norm() > settings_.settled_m || std::abs(change.z()) > settings_.settled_rad) {
+    if (context.alike != nullptr && is_settled(*context.alike)) {
+        fused = *context.alike;
+    } else if (!is_settled(found)) {
         fused = context.matcher.evaluate(context.grid, context.points, pose);
     }
     fused.pose = pose;

@@ -2,11 +2,15 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
+#include <numeric>
 #include <utility>
 
 #include "base/squared.hpp"
 #include "filter/pose_covariance.hpp"
+#include "swarm/modes.hpp"
 #include "swarm/moments.hpp"
 #include "swarm/weights.hpp"
 
@@ -29,6 +33,13 @@ constexpr double longest_step_s = 2.0;
 double step_duration_s(std::int64_t from_ns, std::int64_t to_ns) {
     return std::clamp(1e-9 * static_cast<double>(to_ns - from_ns), 0.0, longest_step_s);
 }
+
+/// A swarm of so many, as mapping has, is matched whole. With fewer matches the robot was lost in a long corridor once
+/// in ten drives.
+constexpr std::size_t whole_swarm = 30;
+/// So many matches are made of a larger swarm in a known map, and at least one in each neighbourhood: on average one
+/// for either half of a neighbourhood in x, y and heading.
+constexpr std::size_t least_matches = 8;
 
 PosePrior prior_of(const Pose2& motion, const MotionNoise& noise) {
     // Added to the deviations, so that even after a very short step the prior leaves the match some freedom.
@@ -83,6 +94,7 @@ void Rbpf::place(std::span<const Hypothesis> hypotheses, double kept_share) {
                         .predicted_motion = {},
                         .matched_motion = {},
                         .match_start = hypothesis.pose,
+                        .match_prior = {},
                         .match = {},
                         .log_likelihood = hypothesis.log_weight / exponent,
                         .past = past,
@@ -99,6 +111,7 @@ void Rbpf::place(std::span<const Hypothesis> hypotheses, double kept_share) {
         }
     }
     particles_ = std::move(next);
+    choose_best();
 }
 
 void Rbpf::map_on() {
@@ -120,9 +133,10 @@ std::optional<Update> Rbpf::update(const SensorFrame& frame) {
 
     Update update;
     StageTimes& times = update.times;
-    const PreparedScan scan = timed(times.prepare_s, [&] { return prepare(frame); });
+    PreparedScan scan = timed(times.prepare_s, [&] { return prepare(frame); });
     if (first && !known_map_) {
         start(frame.odom_from_robot);
+        choose_best();
         update.matched = update.corrected = snapshot(frame, odometry_motion);
     } else {
         const Step step = step_to(frame, odometry_motion, first);
@@ -133,6 +147,7 @@ std::optional<Update> Rbpf::update(const SensorFrame& frame) {
         update.degeneracy = timed(times.detect_s, [&] { return detect(update.matched); });
         timed(times.correct_s, [&] { correct(scan, step, update.degeneracy); });
         update.corrected = strategies_.corrections.empty() ? update.matched : snapshot(frame, odometry_motion);
+        choose_best();
         if (!first) {
             learn(scan, step);
         }
@@ -142,6 +157,7 @@ std::optional<Update> Rbpf::update(const SensorFrame& frame) {
     update.resampled = !first && timed(times.resample_s, [&] { return resample_if_poor(update.corrected); });
     timed(times.map_s, [&] { map(scan, frame.odom_from_robot); });
     remember(frame, odometry_motion);
+    points_ = std::move(scan.points);
     return update;
 }
 
@@ -152,7 +168,9 @@ Rbpf::Step Rbpf::step_to(const SensorFrame& frame, const Pose2& odometry_motion,
             .duration_s = duration_s,
             .expected_motion = expected_motion,
             .sigmas = odometry_->sigmas(odometry_motion, duration_s),
-            .prior = prior_of(expected_motion, settings_.motion)};
+            .prior = prior_of(expected_motion, settings_.motion),
+            .independent_share =
+                known_map_ && !first ? std::min(1.0, way_for_scans_m(expected_motion) / independent_scan_m) : 1.0};
 }
 
 Rbpf::PreparedScan Rbpf::prepare(const SensorFrame& frame) const {
@@ -168,6 +186,7 @@ void Rbpf::start(const Pose2& world_from_robot) {
                                                     .predicted_motion = {},
                                                     .matched_motion = {},
                                                     .match_start = {},
+                                                    .match_prior = {},
                                                     .match = {},
                                                     .past = PoseHistory::none,
                                                     .grid = OccupancyGrid(settings_.grid)});
@@ -208,34 +227,76 @@ PosePrior Rbpf::prior_of_match(const Particle& particle, const Step& step) const
             widened(step.prior.sigma_turn_rad, variances.z())};
 }
 
+/// In a known map a swarm may be large, and all particles of a neighbourhood find the same places there. So only some
+/// of each neighbourhood are matched, and the others take over their matches in turn: where they began, with which
+/// prior, and what came of it. Each fuses it with its own odometry and covariance. Returns those that are matched.
+std::vector<std::size_t> Rbpf::share_matches() {
+    matched_by_.resize(particles_.size());
+    std::iota(matched_by_.begin(), matched_by_.end(), std::size_t{0});
+    if (!known_map_ || particles_.size() <= whole_swarm) {
+        return matched_by_;
+    }
+    std::map<std::array<long, 3>, std::vector<std::size_t>> neighbourhoods;
+    for (std::size_t index = 0; index < particles_.size(); ++index) {
+        const Pose2& start = particles_[index].match_start;
+        neighbourhoods[{std::lround(start.x_m / mode_m), std::lround(start.y_m / mode_m),
+                        std::lround(wrap_angle(start.theta_rad) / mode_rad)}]
+            .push_back(index);
+    }
+    const std::size_t each = (least_matches + neighbourhoods.size() - 1) / neighbourhoods.size();
+    std::vector<std::size_t> matched;
+    for (const auto& [cell, members] : neighbourhoods) {
+        for (std::size_t number = 0; number < members.size(); ++number) {
+            if (number < each) {
+                matched.push_back(members[number]);
+            } else {
+                matched_by_[members[number]] = members[number % each];
+            }
+        }
+    }
+    return matched;
+}
+
 /// If no match is accepted, the particle keeps its predicted pose.
 void Rbpf::match(const PreparedScan& scan, const Step& step) {
-    threads_.for_each(particles_.size(), [&](std::size_t index, std::size_t worker) {
+    threads_.for_each(particles_.size(), [&](std::size_t index, std::size_t /*worker*/) {
         Particle& particle = particles_[index];
         particle.match_start = match_start(particle, index);
-        particle.match = workers_[worker].matcher.match_directly(grid_of(particle), scan.match_points,
-                                                                 particle.match_start, prior_of_match(particle, step));
+        particle.match_prior = prior_of_match(particle, step);
     });
-    search_widely(scan, step);
-    threads_.for_each(particles_.size(), [&](std::size_t index, std::size_t worker) {
-        Particle& particle = particles_[index];
+    const std::vector<std::size_t> matched = share_matches();
+    threads_.for_each(matched.size(), [&](std::size_t number, std::size_t worker) {
+        Particle& particle = particles_[matched[number]];
+        particle.match = workers_[worker].matcher.match_directly(grid_of(particle), scan.match_points,
+                                                                 particle.match_start, particle.match_prior);
+    });
+    search_widely(scan, matched);
+    threads_.for_each(matched.size(), [&](std::size_t number, std::size_t worker) {
+        Particle& particle = particles_[matched[number]];
         if (!particle.match.accepted()) {
             particle.match =
                 workers_[worker].matcher.evaluate(grid_of(particle), scan.match_points, particle.match_start);
         }
+    });
+    for (std::size_t index = 0; index < particles_.size(); ++index) {
+        Particle& particle = particles_[index];
+        const Particle& other = particles_[matched_by_[index]];
+        particle.match_start = other.match_start;
+        particle.match_prior = other.match_prior;
+        particle.match = other.match;
         particle.pose = particle.match.pose;
         particle.matched_motion = between(particle.pose_before, particle.pose);
-    });
+    }
 }
 
 /// What the wide search of one particle finds is a motion from the pose before, which the maps of all particles have in
 /// common up to what they disagree about. So only every fourth of those with a doubtful match searches, and the others
 /// start from the best of the motions found. Particles lie in the order of their ancestors, so that no family is left
 /// out. In a known map, which is one for all, each particle has a way of its own to the right pose.
-void Rbpf::search_widely(const PreparedScan& scan, const Step& step, SearchOrder order) {
+void Rbpf::search_widely(const PreparedScan& scan, std::span<const std::size_t> matched, SearchOrder order) {
     const std::size_t every = known_map_ ? 1 : 4;
     std::vector<std::size_t> doubtful;
-    for (std::size_t index = 0; index < particles_.size(); ++index) {
+    for (const std::size_t index : matched) {
         if (workers_.front().matcher.is_doubtful(particles_[index].match)) {
             doubtful.push_back(index);
         }
@@ -255,22 +316,21 @@ void Rbpf::search_widely(const PreparedScan& scan, const Step& step, SearchOrder
         for (std::size_t at = first; at < (has_searched ? first + 1 : motions.size()); ++at) {
             starts.push_back(particle.pose_before * motions[at]);
         }
-        particle.match =
-            workers_[worker].matcher.match_from(starts, particle.match, grid_of(particle), scan.match_points,
-                                                particle.match_start, prior_of_match(particle, step));
+        particle.match = workers_[worker].matcher.match_from(
+            starts, particle.match, grid_of(particle), scan.match_points, particle.match_start, particle.match_prior);
     });
 }
 
 /// After a scan that fits nowhere, as where the scans pause while the robot turns, the pose may be off in place and
 /// heading at once. If the next scan then fits nowhere well, either, all pairs of both are tried.
-void Rbpf::search_widely(const PreparedScan& scan, const Step& step) {
+void Rbpf::search_widely(const PreparedScan& scan, std::span<const std::size_t> matched) {
     constexpr double well = 2.0 / 3.0;  // of the usual score
     constexpr double nowhere = 0.5;
-    search_widely(scan, step, SearchOrder::headings_first);
+    search_widely(scan, matched, SearchOrder::headings_first);
     const auto lower_score = [](const Particle& a, const Particle& b) { return a.match.score < b.match.score; };
     const double found = std::max_element(particles_.begin(), particles_.end(), lower_score)->match.score;
     if (!known_map_ && last_fitted_nowhere_ && found < well * usual_score_) {
-        search_widely(scan, step, SearchOrder::all_pairs);
+        search_widely(scan, matched, SearchOrder::all_pairs);
     }
     last_fitted_nowhere_ = found < nowhere * usual_score_;
 }
@@ -288,33 +348,49 @@ Degeneracy Rbpf::detect(const ParticleSnapshot& swarm) const {
 }
 
 void Rbpf::correct(const PreparedScan& scan, const Step& step, const Degeneracy& degeneracy) {
-    threads_.for_each(particles_.size(), [&](std::size_t index, std::size_t worker) {
-        Particle& particle = particles_[index];
-        if (!strategies_.corrections.empty()) {
-            const Pose2& before = particle.pose_before;
-            const MatchContext context{
-                .matcher = workers_[worker].matcher,
-                .grid = grid_of(particle),
-                .points = scan.match_points,
-                .predicted = particle.match_start,
-                .prior = prior_of_match(particle, step),
-                .odometry = before * step.expected_motion,
-                .odometry_information =
-                    predicted_covariance(Eigen::Matrix3d::Zero(), before, step.expected_motion, step.sigmas).inverse(),
-                .degeneracy = degeneracy,
-                .information_factor = beam_noise_.information_factor(settings_.matcher.beam_sigma_m),
-                .pose_information =
-                    known_map_ ? std::optional<Eigen::Matrix3d>(particle.covariance.inverse()) : std::nullopt};
-            const double matched = particle.match.log_likelihood;
-            for (const auto& correction : strategies_.corrections) {
-                particle.match = correction->correct(context, particle.match);
-            }
-            particle.pose = particle.match.pose;
-            particle.matched_motion = between(before, particle.pose);
-            particle.log_likelihood += particle.match.log_likelihood - matched;
+    const auto correct_each = [&](const std::vector<std::size_t>& indices) {
+        threads_.for_each(indices.size(), [&](std::size_t number, std::size_t worker) {
+            const std::size_t index = indices[number];
+            const ScanMatch* alike = matched_by_[index] == index ? nullptr : &particles_[matched_by_[index]].match;
+            correct(particles_[index], alike, scan, step, degeneracy, workers_[worker].matcher);
+        });
+    };
+    std::vector<std::size_t> matched, others;
+    for (std::size_t index = 0; index < particles_.size(); ++index) {
+        (matched_by_[index] == index ? matched : others).push_back(index);
+    }
+    correct_each(matched);
+    correct_each(others);
+}
+
+void Rbpf::correct(Particle& particle, const ScanMatch* alike, const PreparedScan& scan, const Step& step,
+                   const Degeneracy& degeneracy, ScanMatcher& matcher) const {
+    if (!strategies_.corrections.empty()) {
+        const Pose2& before = particle.pose_before;
+        const MatchContext context{
+            .matcher = matcher,
+            .grid = grid_of(particle),
+            .points = scan.match_points,
+            .predicted = particle.match_start,
+            .prior = particle.match_prior,
+            .odometry = before * step.expected_motion,
+            .odometry_information =
+                predicted_covariance(Eigen::Matrix3d::Zero(), before, step.expected_motion, step.sigmas).inverse(),
+            .degeneracy = degeneracy,
+            .information_factor =
+                step.independent_share * beam_noise_.information_factor(settings_.matcher.beam_sigma_m),
+            .pose_information =
+                known_map_ ? std::optional<Eigen::Matrix3d>(particle.covariance.inverse()) : std::nullopt,
+            .alike = alike};
+        const double matched = particle.match.log_likelihood;
+        for (const auto& correction : strategies_.corrections) {
+            particle.match = correction->correct(context, particle.match);
         }
-        particle.covariance = corrected_covariance(particle.covariance, particle.match.information);
-    });
+        particle.pose = particle.match.pose;
+        particle.matched_motion = between(before, particle.pose);
+        particle.log_likelihood += particle.match.log_likelihood - matched;
+    }
+    particle.covariance = corrected_covariance(particle.covariance, particle.match.information);
 }
 
 void Rbpf::learn(const PreparedScan& scan, const Step& step) {
@@ -355,6 +431,7 @@ bool Rbpf::resample_if_poor(const ParticleSnapshot& swarm) {
         path_.release(particle.past);
     }
     particles_ = std::move(next);
+    choose_best();
     return true;
 }
 
@@ -407,9 +484,20 @@ ParticleSnapshot Rbpf::snapshot(const SensorFrame& frame, const Pose2& odometry_
     return swarm;
 }
 
-const Particle& Rbpf::best() const {
-    return *std::max_element(particles_.begin(), particles_.end(),
-                             [](const Particle& a, const Particle& b) { return a.log_likelihood < b.log_likelihood; });
+/// In a known map the particles of one place may outweigh the heaviest one, which stands at another.
+void Rbpf::choose_best() {
+    if (!known_map_) {
+        best_ = static_cast<std::size_t>(std::ranges::max_element(particles_, {}, &Particle::log_likelihood) -
+                                         particles_.begin());
+        return;
+    }
+    const std::vector<double> weights = weights_by_likelihood(particles_, gain());
+    std::vector<SnapshotParticle> swarm(particles_.size());
+    for (std::size_t index = 0; index < particles_.size(); ++index) {
+        swarm[index].pose = particles_[index].pose;
+        swarm[index].weight = weights[index];
+    }
+    best_ = modes_of(swarm).front().particles.front();
 }
 
 Pose2 Rbpf::pose() const { return best().pose * path_.motion_since_update(); }

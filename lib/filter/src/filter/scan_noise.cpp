@@ -1,6 +1,7 @@
 #include "ddtool/filter/scan_noise.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/squared.hpp"
 
@@ -13,6 +14,10 @@ constexpr double remembered_scans = 300.0;
 constexpr double least_scans = 20.0;
 
 }  // namespace
+
+double way_for_scans_m(const Pose2& motion) {
+    return std::hypot(motion.x_m, motion.y_m) + metres_per_radian * std::abs(motion.theta_rad);
+}
 
 void ScanNoise::learn(double squared_m2) {
     scans_ = std::min(scans_ + 1.0, remembered_scans);

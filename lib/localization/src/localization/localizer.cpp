@@ -5,6 +5,8 @@
 #include <utility>
 
 #include "ddtool/base/error.hpp"
+#include "ddtool/filter/scan_noise.hpp"
+#include "swarm/modes.hpp"
 #include "swarm/weights.hpp"
 
 namespace ddtool::localization {
@@ -33,16 +35,10 @@ constexpr double whole_scan_points = 40.0;
 /// So sure of its place for so long, a robot may map on.
 constexpr double sure_to_map = 0.95;
 constexpr double sure_way_m = 1.0;
-/// A turn that counts as much as a metre of way for what scans tell.
-constexpr double metres_per_radian = 0.3;
 
 FilterStrategies with_modes(FilterStrategies strategies, const ModeResamplingSettings& particles) {
     strategies.resampling = std::make_shared<ModeResampling>(particles);
     return strategies;
-}
-
-double way_of(const Pose2& motion) {
-    return std::hypot(motion.x_m, motion.y_m) + metres_per_radian * std::abs(motion.theta_rad);
 }
 
 }  // namespace
@@ -87,18 +83,14 @@ std::optional<Update> Localizer::update(const SensorFrame& frame) {
     if (!update || is_mapping_) {
         return update;
     }
-    const ScanPoints points = scan_points(frame, settings_.points);
-    const double way_m = way_of(update->corrected.odometry_motion);
+    const ScanPoints& points = filter_.points();
+    const double way_m = way_for_scans_m(update->corrected.odometry_motion);
     const std::vector<Mode> modes = modes_of(update->corrected.particles);
-    const auto own = std::ranges::find_if(modes, [&](const Mode& mode) {
-        return std::ranges::any_of(
-            mode.particles, [&](std::size_t index) { return update->corrected.particles[index].pose == update->pose; });
-    });
-    standing_ = {.modes = modes.size(),
+    standing_ = {.mode_weight = modes.front().weight,  // that of the pose
+                 .modes = modes.size(),
                  .particles = update->corrected.particles.size(),
                  .support = scan_fit(points, *map_, update->pose).support()};
     watch_.add(standing_.support, way_m * std::min(1.0, static_cast<double>(points.size()) / whole_scan_points));
-    standing_.mode_weight = own == modes.end() ? 0.0 : own->weight;
     since_search_m_ += way_m;
     standing_.lost = watch_.probability();
     if (standing_.lost < doubtful) {

@@ -2,6 +2,11 @@
 
 namespace ddtool::localization {
 
+/// What a map explains of what is seen at the right place, before anything was learnt of it, and at a wrong place that
+/// a search and a match have chosen.
+inline constexpr double usual_support = 0.9;
+inline constexpr double support_by_chance = 0.5;
+
 /// How probable it is that the robot is not where the filter has it, from how much of each scan the map explains there
 /// (ScanFit::support()), against what it explained where the robot was found: a hidden Markov model of two states.
 /// Scans that are near each other err together, so that each counts by the way driven since the last one.

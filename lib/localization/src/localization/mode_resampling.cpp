@@ -3,17 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 #include <set>
 
-#include "swarm/weights.hpp"
+#include "swarm/modes.hpp"
 
 namespace ddtool::localization {
 namespace {
 
-/// Particles farther from each other than this stand for different places.
-constexpr double mode_m = 0.5;
-constexpr double mode_rad = 0.35;
 /// A mode of less weight is dropped.
 constexpr double least_weight = 1e-4;
 constexpr std::size_t least_per_mode = 2;
@@ -35,27 +31,6 @@ double kld_bound(std::size_t cells, double error) {
 
 }  // namespace
 
-std::vector<Mode> modes_of(std::span<const SnapshotParticle> particles) {
-    std::vector<std::size_t> order(particles.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::ranges::stable_sort(order,
-                             [&](std::size_t a, std::size_t b) { return particles[a].weight > particles[b].weight; });
-    std::vector<Mode> modes;
-    for (const std::size_t index : order) {
-        const Pose2& pose = particles[index].pose;
-        const auto found = std::ranges::find_if(modes, [&](const Mode& mode) {
-            const Pose2& centre = particles[mode.particles.front()].pose;
-            return distance_m(centre, pose) < mode_m &&
-                   std::abs(wrap_angle(centre.theta_rad - pose.theta_rad)) < mode_rad;
-        });
-        Mode& mode = found == modes.end() ? modes.emplace_back() : *found;
-        mode.particles.push_back(index);
-        mode.weight += particles[index].weight;
-    }
-    std::ranges::stable_sort(modes, [](const Mode& a, const Mode& b) { return a.weight > b.weight; });
-    return modes;
-}
-
 std::size_t ModeResampling::wanted(std::span<const SnapshotParticle> particles) const {
     std::set<std::array<long, 3>> cells;
     for (const SnapshotParticle& particle : particles) {
@@ -69,7 +44,7 @@ std::size_t ModeResampling::wanted(std::span<const SnapshotParticle> particles) 
 }
 
 bool ModeResampling::is_due(std::span<const SnapshotParticle> particles) const {
-    return 2 * wanted(particles) < particles.size();
+    return 2 * wanted(particles) < particles.size() || 2 * particles.size() < settings_.least_particles;
 }
 
 std::vector<Descendant> ModeResampling::resample(std::span<const SnapshotParticle> particles,

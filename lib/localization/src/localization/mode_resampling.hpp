@@ -14,15 +14,6 @@ struct ModeResamplingSettings {
     double kld_error = 0.1;  ///< the distance from the true distribution that KLD sampling allows
 };
 
-/// Particles that stand for the same place: those near the first of them, which has the highest weight.
-struct Mode {
-    std::vector<std::size_t> particles;
-    double weight = 0.0;
-};
-
-/// The modes of a swarm, the one with the highest weight first.
-std::vector<Mode> modes_of(std::span<const SnapshotParticle> particles);
-
 /// Resampling for localisation. The number of particles follows from how many cells of the space of poses they occupy
 /// (KLD sampling: Fox, "Adapting the sample size in particle filters through KLD-sampling", IJRR 2003). Places that
 /// cannot be told apart keep their weights instead of being drawn lots for: each mode has its own share of particles,

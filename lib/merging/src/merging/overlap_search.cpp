@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "ddtool/base/error.hpp"
+#include "localization/lost_watch.hpp"
 
 namespace ddtool::merging {
 namespace {
@@ -33,10 +34,6 @@ constexpr double agreed_share = 0.8;
 constexpr double contradicted_share = 0.7;
 /// Farther than this from a window that agrees, a contradiction may be due to the bend alone.
 constexpr double surely_reached_m = 15.0;
-/// What agrees at the right place, and at a wrong place that a search and a match have chosen. The same as for being
-/// lost (localization/lost_watch).
-constexpr double usual_share = 0.9;
-constexpr double share_by_chance = 0.5;
 /// What the result needs: so many windows that agree, over so much way, and so many for each that shows the same ground
 /// and does not agree.
 constexpr std::size_t least_agreeing = 3;
@@ -60,9 +57,10 @@ bool same(const Pose2& a, const Pose2& b) {
     return distance_m(a, b) < same_place_m && std::abs(wrap_angle(a.theta_rad - b.theta_rad)) < same_turn_rad;
 }
 
+/// The shares that agree at the right place and at a wrong one are those of a scan.
 double evidence_of(const WallAgreement& walls) {
-    const double for_one = std::log(usual_share / share_by_chance);
-    const double against_one = std::log((1.0 - share_by_chance) / (1.0 - usual_share));
+    const double for_one = std::log(localization::usual_support / localization::support_by_chance);
+    const double against_one = std::log((1.0 - localization::support_by_chance) / (1.0 - localization::usual_support));
     return for_one * static_cast<double>(walls.agreed) - against_one * static_cast<double>(walls.contradicted());
 }
 

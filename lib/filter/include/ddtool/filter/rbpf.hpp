@@ -43,6 +43,7 @@ struct Particle {
     Pose2 predicted_motion;  ///< since the previous update, in the robot's frame at it, sampled from the motion model
     Pose2 matched_motion;    ///< the same after scan matching and corrections
     Pose2 match_start;       ///< world_from_robot, where scan matching began
+    PosePrior match_prior;   ///< uncertainty about match_start that the match was made with
     ScanMatch match;
     double log_likelihood = 0.0;  ///< since the last resampling; the weight is proportional to exp(gain() * this)
     PathRecord::Node past = PoseHistory::none;
@@ -89,8 +90,11 @@ public:
 
     /// The present hypotheses, after any resampling.
     [[nodiscard]] std::span<const Particle> particles() const { return particles_; }
-    /// The particle with the largest likelihood since the last resampling. Needs an update before it.
-    [[nodiscard]] const Particle& best() const;
+    /// The points of the scan of the last update, in the robot's frame.
+    [[nodiscard]] const ScanPoints& points() const { return points_; }
+    /// The particle with the largest likelihood since the last resampling; in a known map, of those at the place where
+    /// the particles weigh most together. Needs an update or place() before it.
+    [[nodiscard]] const Particle& best() const { return particles_[best_]; }
     [[nodiscard]] const OccupancyGrid& map() const override { return grid_of(best()); }
     [[nodiscard]] Pose2 pose() const override;
     [[nodiscard]] Eigen::Matrix3d pose_covariance() const override;
@@ -105,6 +109,9 @@ private:
         Pose2 expected_motion;  ///< according to the odometry model
         MotionSigmas sigmas;    ///< of expected_motion, according to the odometry model
         PosePrior prior;        ///< of the pose about a sampled prediction
+        /// How much of this scan's match the one before has not told already: known maps have errors, and scans that
+        /// see the same part of one share them.
+        double independent_share = 1.0;
     };
     struct PreparedScan {
         ScanPoints points;
@@ -125,14 +132,18 @@ private:
     [[nodiscard]] PreparedScan prepare(const SensorFrame& frame) const;
     void start(const Pose2& world_from_robot);
     void propagate(const Step& step);
+    std::vector<std::size_t> share_matches();
     void match(const PreparedScan& scan, const Step& step);
-    void search_widely(const PreparedScan& scan, const Step& step);
-    void search_widely(const PreparedScan& scan, const Step& step, SearchOrder order);
+    void search_widely(const PreparedScan& scan, std::span<const std::size_t> matched);
+    void search_widely(const PreparedScan& scan, std::span<const std::size_t> matched, SearchOrder order);
     void reweight();
+    void choose_best();
     /// Exponent on the likelihood of a scan of this log.
     [[nodiscard]] double gain() const;
     [[nodiscard]] Degeneracy detect(const ParticleSnapshot& swarm) const;
     void correct(const PreparedScan& scan, const Step& step, const Degeneracy& degeneracy);
+    void correct(Particle& particle, const ScanMatch* alike, const PreparedScan& scan, const Step& step,
+                 const Degeneracy& degeneracy, ScanMatcher& matcher) const;
     void learn(const PreparedScan& scan, const Step& step);
     bool resample_if_poor(const ParticleSnapshot& swarm);
     void map(const PreparedScan& scan, const Pose2& odom_from_robot);
@@ -146,6 +157,9 @@ private:
     std::unique_ptr<OdometryModel> odometry_;
     std::vector<Worker> workers_;
     std::vector<Particle> particles_;
+    std::size_t best_ = 0;                 ///< index of best()
+    ScanPoints points_;                    ///< of the last update
+    std::vector<std::size_t> matched_by_;  ///< for each particle the one whose match it has, most often itself
     PathRecord path_;
     Pose2 odom_at_update_;
     std::int64_t stamp_at_update_ns_ = 0;

@@ -1,6 +1,15 @@
 #pragma once
 
+#include "ddtool/robot/pose2.hpp"
+
 namespace ddtool {
+
+/// In a map that stays, scans that are taken near each other err alike, since they see the same places of the map with
+/// the errors that it has there. A scan is independent of one that was taken this far away.
+inline constexpr double independent_scan_m = 0.4;
+/// The way of a motion for what scans tell; a turn shows something else, too: so much as this way for each radian.
+inline constexpr double metres_per_radian = 0.3;
+double way_for_scans_m(const Pose2& motion);
 
 /// How far the end points of a log's scans usually lie from the surfaces of the map: the lidar's noise and what the map
 /// adds to it. Learnt slowly and from many scans, so that the misfit of the present one, which may come

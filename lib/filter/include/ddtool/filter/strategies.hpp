@@ -29,6 +29,10 @@ struct MatchContext {
     /// In a known map: the information about (x, y, theta) in the world that all before this scan gives, which is less
     /// than that of the odometry's last motion alone.
     std::optional<Eigen::Matrix3d> pose_information = std::nullopt;
+    /// In a known map: the result for a particle nearby whose match this one has taken over, or null if it was matched
+    /// itself. How much of the match can be believed is the same for both, and where the poses hardly differ, so is how
+    /// the scan fits.
+    const ScanMatch* alike = nullptr;
 };
 
 /// May replace the pose that scan matching found, given how degenerate the swarm is. One object serves all particles
