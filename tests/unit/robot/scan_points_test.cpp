@@ -6,7 +6,6 @@
 #include <cmath>
 #include <cstdlib>
 #include <functional>
-#include <limits>
 #include <numbers>
 #include <numeric>
 
@@ -227,19 +226,6 @@ SensorFrame wall_with_recess(double depth_m, int beams) {
 }
 
 /// The wall behind an edge must not tilt the normals of the wall before it, nor the other way round.
-/// A robot beside a wall, half of whose beams are too short to be used.
-TEST(ScanPoints, OfAWallWithGapsBetweenTheBeamsHoldNothingAlongIt) {
-    SensorFrame frame = scan_of(wall(0.5, 0.0), 201);
-    for (std::size_t beam = 0; beam < frame.scan.ranges_m.size(); beam += 2) {
-        frame.scan.ranges_m[beam] = std::numeric_limits<float>::quiet_NaN();
-    }
-    const ScanPoints points = scan_points(frame, apart);
-    ASSERT_EQ(points.size(), 100U);
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        expect_normals_along(points, i, 0.0);
-    }
-}
-
 TEST(ScanPoints, AtAnEdgeHaveTheNormalOfTheirOwnWall) {
     for (const double depth_m : {0.1, 0.15, 0.5}) {
         for (const int beams : {121, 401}) {

@@ -37,22 +37,19 @@ constexpr std::size_t least_neighbours_each_side = 2;
 /// side only, and two of them are always taken.
 constexpr double points_of_a_line = 3.0;
 
-/// Adds the neighbours on one side of `point`; `step` is 1 or -1. Beyond beams that cannot be used, only those within
-/// the radius count: a robot that drives close to a wall has many beams that are too short, and what is left between
-/// them is not a row of legs.
+/// Adds the neighbours on one side of `point` as long as they come from adjacent beams; `step` is 1 or -1.
 void add_side(const ScanPoints& points, std::size_t point, int step, double radius_m, Neighbours& neighbours) {
     std::size_t last = point;
     bool on_surface = true;
     for (std::size_t taken = 0; taken < most_neighbours_each_side; ++taken) {
         // Below 0 the unsigned index wraps around to a huge one, which ends the loop.
         const std::size_t next = last + static_cast<std::size_t>(step);
-        if (next >= points.size()) {
+        if (next >= points.size() || std::abs(points.order[next] - points.order[last]) >= ScanPoints::order_gap) {
             return;
         }
-        const bool adjacent = std::abs(points.order[next] - points.order[last]) < ScanPoints::order_gap;
         const double dx = static_cast<double>(points.x_m[next]) - static_cast<double>(points.x_m[point]);
         const double dy = static_cast<double>(points.y_m[next]) - static_cast<double>(points.y_m[point]);
-        if (!(adjacent && taken < least_neighbours_each_side) && dx * dx + dy * dy > radius_m * radius_m) {
+        if (taken >= least_neighbours_each_side && dx * dx + dy * dy > radius_m * radius_m) {
             return;
         }
         on_surface = on_surface && std::abs(points.order[next] - points.order[last]) < ScanPoints::order_jump;
