@@ -88,6 +88,24 @@ TEST(GraphSolver, ScaleLearntHereHelpsThere) {
     EXPECT_LT(held.poses.back().x_m, 39.7);
 }
 
+/// The matches make every metre a centimetre too long, which a loop edge at the end shows.
+TEST(GraphSolver, StretchOfTheMatchesIsFound) {
+    constexpr std::size_t count = 41;
+    PoseGraph graph = straight_drive(count, 0.1);
+    for (std::size_t node = 1; node < count; ++node) {
+        graph.matches.push_back(sure_edge(node - 1, node, {1.01, 0.0, 0.0}));
+    }
+    graph.loops.push_back(sure_edge(0, count - 1, {40.0, 0.0, 0.0}));
+    PoseGraph held = graph;
+    graph.match_stretch.sd = 0.02;
+    minimise(graph);
+    minimise(held);
+    EXPECT_NEAR(graph.match_stretch.value, -0.01, 0.001);
+    EXPECT_EQ(held.match_stretch.value, 0.0);
+    const auto of_middle = [](const PoseGraph& of) { return Marginals(of).of_nodes()[count / 2](0, 0); };
+    EXPECT_GT(of_middle(graph), of_middle(held));
+}
+
 TEST(GraphSolver, BiasOfTheGyroIsFound) {
     constexpr std::size_t count = 40;
     PoseGraph graph = ring_drive(count, 10.0, 5e-4);
@@ -105,6 +123,8 @@ TEST(GraphSolver, MarginalsAreTheBlocksOfTheInverse) {
     PoseGraph graph = ring_drive(15, 5.0, 1e-3);
     graph.calibration.scale_sd = 0.02;
     graph.calibration.bias_sd_rad_per_s = 1e-3;
+    graph.match_stretch.sd = 2e-3;
+    graph.matches.push_back(sure_edge(2, 5, between(on_ring(2, 15, 5.0), on_ring(5, 15, 5.0))));
     graph.loops.push_back(sure_edge(0, 15, {}));
     graph.loops.push_back(sure_edge(4, 21, between(on_ring(4, 15, 5.0), on_ring(21, 15, 5.0))));
     minimise(graph);

@@ -21,6 +21,10 @@ namespace {
 /// chain of the shortest edges alone would drift far more than scans do that are matched to one map.
 constexpr std::array edge_ways_m{0.0, 1.0, 3.0, 9.0};
 
+/// Matches at the end of the map err by one or two parts in a thousand of the way, all alike in one kind of
+/// surroundings (docs/reports/2026-12-01-graph.md).
+constexpr double match_stretch_sd = 0.0015;
+
 /// Along every direction the smaller one of the two.
 Eigen::Matrix3d smaller_information(const Eigen::Matrix3d& a, const Eigen::Matrix3d& b) {
     constexpr double least_information = 1e-4;  // so that a direction without information can be inverted
@@ -66,6 +70,7 @@ PoseGraph graph_of(const std::vector<Node>& nodes, const PathSteps& path) {
     PoseGraph graph;
     graph.calibration.scale_sd = OdometryLearning::scale_sd;
     graph.calibration.bias_sd_rad_per_s = OdometryLearning::bias_sd_rad_per_s;
+    graph.match_stretch.sd = match_stretch_sd;
     for (std::size_t node = 0; node < nodes.size(); ++node) {
         const PathStep& step = path.steps[node];
         graph.poses.push_back(step.pose);

@@ -107,7 +107,7 @@ void write_g2o(const std::filesystem::path& file, const PoseGraph& graph) {
             write_relative(out, relative_edge(edge, graph.calibration));  // g2o's errors are in the frame of the end
         }
         for (const RelativeEdge& edge : graph.matches) {
-            write_relative(out, edge);
+            write_relative(out, stretched(edge, graph.match_stretch));
         }
         for (const RelativeEdge& edge : graph.loops) {
             write_relative(out, edge);

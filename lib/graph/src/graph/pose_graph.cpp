@@ -19,6 +19,12 @@ RelativeEdge relative_edge(const OdometryEdge& edge, const OdometryCalibration& 
         .from = edge.from, .to = edge.from + 1, .measured = motion, .information = turned * along * turned.transpose()};
 }
 
+RelativeEdge stretched(RelativeEdge match, const MatchStretch& stretch) {
+    match.measured.x_m *= 1.0 + stretch.value;
+    match.measured.y_m *= 1.0 + stretch.value;
+    return match;
+}
+
 EdgeError edge_error(const Pose2& from, const Pose2& to, const Pose2& measured, bool in_target_frame) {
     const double c = std::cos(from.theta_rad);
     const double s = std::sin(from.theta_rad);

@@ -34,10 +34,17 @@ struct OdometryCalibration {
     double bias_sd_rad_per_s = 1e-3;  ///< of the prior about 0; 0: the bias is held
 };
 
+/// What all matches get wrong alike: true motion = (1 + stretch) times the matched motion, in x and y.
+struct MatchStretch {
+    double value = 0.0;
+    double sd = 0.0;  ///< of the prior about 0; 0: it is held
+};
+
 /// A graph of poses. Node 0 is held where it is. Node k + 1 follows node k in time.
 struct PoseGraph {
     std::vector<Pose2> poses;  ///< world_from_robot
     OdometryCalibration calibration;
+    MatchStretch match_stretch;
     std::vector<OdometryEdge> odometry;
     std::vector<RelativeEdge> matches;
     std::vector<RelativeEdge> loops;
@@ -48,6 +55,9 @@ Pose2 calibrated(const OdometryEdge& edge, const OdometryCalibration& calibratio
 
 /// The edge with the calibration applied, as an edge between two poses: its information is in the frame of its end.
 RelativeEdge relative_edge(const OdometryEdge& edge, const OdometryCalibration& calibration);
+
+/// The match edge with the stretch applied.
+RelativeEdge stretched(RelativeEdge match, const MatchStretch& stretch);
 
 /// An edge's error at two poses and its derivatives by them: e(from + d_from, to + d_to) = error + by_from d_from +
 /// by_to d_to to first order, where poses change by adding to x, y and theta.

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/squared.hpp"
+#include "filter/pose_covariance.hpp"
 
 namespace ddtool::graph {
 namespace {
@@ -91,6 +92,17 @@ void add_relative(Terms& terms, const PoseGraph& graph, const RelativeEdge& edge
               edge.weight * edge.information);
 }
 
+void add_match(Terms& terms, const PoseGraph& graph, const RelativeEdge& match, const Unknowns& unknowns) {
+    const RelativeEdge edge = stretched(match, graph.match_stretch);
+    const EdgeError at = edge_error(graph.poses[edge.from], graph.poses[edge.to], edge.measured, true);
+    const Eigen::Vector3d by_stretch =
+        turned_about_z(-edge.measured.theta_rad) * Eigen::Vector3d(-match.measured.x_m, -match.measured.y_m, 0.0);
+    terms.add({{Unknowns::of_node(edge.from), at.by_from},
+               {Unknowns::of_node(edge.to), at.by_to},
+               {unknowns.stretch(), by_stretch}},
+              at.error, edge.weight * edge.information);
+}
+
 void add_odometry(Terms& terms, const PoseGraph& graph, const OdometryEdge& edge, const Unknowns& unknowns) {
     const Pose2 expected = calibrated(edge, graph.calibration);
     const EdgeError at = edge_error(graph.poses[edge.from], graph.poses[edge.from + 1], expected, false);
@@ -114,6 +126,9 @@ void move_by(PoseGraph& graph, const Unknowns& unknowns, const Eigen::VectorXd& 
     if (unknowns.bias() != Unknowns::none) {
         graph.calibration.bias_rad_per_s += step(unknowns.bias());
     }
+    if (unknowns.stretch() != Unknowns::none) {
+        graph.match_stretch.value += step(unknowns.stretch());
+    }
 }
 
 }  // namespace
@@ -126,6 +141,9 @@ Unknowns::Unknowns(const PoseGraph& graph)
     if (graph.calibration.bias_sd_rad_per_s > 0.0) {
         bias_ = count_++;
     }
+    if (graph.match_stretch.sd > 0.0) {
+        stretch_ = count_++;
+    }
 }
 
 NormalEquations normal_equations(const PoseGraph& graph) {
@@ -135,13 +153,14 @@ NormalEquations normal_equations(const PoseGraph& graph) {
         add_odometry(terms, graph, edge, unknowns);
     }
     for (const RelativeEdge& edge : graph.matches) {
-        add_relative(terms, graph, edge);
+        add_match(terms, graph, edge, unknowns);
     }
     for (const RelativeEdge& edge : graph.loops) {
         add_relative(terms, graph, edge);
     }
     terms.add_prior(unknowns.scale(), graph.calibration.scale - 1.0, graph.calibration.scale_sd);
     terms.add_prior(unknowns.bias(), graph.calibration.bias_rad_per_s, graph.calibration.bias_sd_rad_per_s);
+    terms.add_prior(unknowns.stretch(), graph.match_stretch.value, graph.match_stretch.sd);
     return terms.take();
 }
 

@@ -7,8 +7,8 @@
 
 namespace ddtool::graph {
 
-/// The numbers of the unknowns in the linear system: three for each node after the first, then scale and bias as far as
-/// they are free.
+/// The numbers of the unknowns in the linear system: three for each node after the first, then scale, bias and stretch
+/// as far as they are free.
 class Unknowns {
 public:
     static constexpr Eigen::Index none = -1;
@@ -21,11 +21,13 @@ public:
     }
     [[nodiscard]] Eigen::Index scale() const { return scale_; }
     [[nodiscard]] Eigen::Index bias() const { return bias_; }
+    [[nodiscard]] Eigen::Index stretch() const { return stretch_; }
     [[nodiscard]] Eigen::Index count() const { return count_; }
 
 private:
     Eigen::Index scale_ = none;
     Eigen::Index bias_ = none;
+    Eigen::Index stretch_ = none;
     Eigen::Index count_ = 0;
 };
 
@@ -44,9 +46,9 @@ struct Solution {
     bool converged = false;
 };
 
-/// Moves the poses, scale and bias to the least cost, by Levenberg and Marquardt's damped Gauss-Newton steps with
-/// Eigen's sparse Cholesky factorisation. The same graph gives the same bytes. If a system cannot be factorised even
-/// with damping, the graph stays as it was before that step.
+/// Moves the poses, scale, bias and stretch to the least cost, by Levenberg and Marquardt's damped Gauss-Newton steps
+/// with Eigen's sparse Cholesky factorisation. The same graph gives the same bytes. If a system cannot be factorised
+/// even with damping, the graph stays as it was before that step.
 Solution minimise(PoseGraph& graph, int most_iterations = 30);
 
 }  // namespace ddtool::graph

@@ -24,7 +24,7 @@ std::vector<MapEdge> edges_of(const graph::PoseGraph& graph) {
         add(MapEdge::Kind::odometry, relative_edge(edge, graph.calibration));
     }
     for (const graph::RelativeEdge& edge : graph.matches) {
-        add(MapEdge::Kind::match, edge);
+        add(MapEdge::Kind::match, graph::stretched(edge, graph.match_stretch));
     }
     for (const graph::RelativeEdge& edge : graph.loops) {
         add(MapEdge::Kind::loop, edge);

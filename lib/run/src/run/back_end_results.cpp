@@ -89,6 +89,7 @@ Json back_end_json(const BackEndResults& results) {
               {"scan_bytes_per_node", nodes == 0 ? 0 : smoothed.scan_bytes / nodes},
               {"odometry_scale", smoothed.graph.calibration.scale},
               {"gyro_bias_rad_per_s", smoothed.graph.calibration.bias_rad_per_s},
+              {"match_stretch", smoothed.graph.match_stretch.value},
               {"loop_error_of_filter", smoothed.loop_error_of_path},
               {"loops_closed", closed},
               {"loops_refused", smoothed.loops.size() - closed},
