@@ -8,6 +8,7 @@
 #include "base/squared.hpp"
 #include "ddtool/filter/learnt_odometry.hpp"
 #include "ddtool/filter/scan_insertion.hpp"
+#include "ddtool/filter/scan_noise.hpp"
 #include "filter/pose_covariance.hpp"
 #include "graph/marginals.hpp"
 #include "graph/path_steps.hpp"
@@ -92,19 +93,13 @@ PoseGraph graph_of(const std::vector<Node>& nodes, const PathSteps& path) {
     return graph;
 }
 
-double motion_of(const Pose2& a, const Pose2& b) {
-    constexpr double metres_per_radian = 0.3;
-    const Pose2 motion = between(a, b);
-    return std::hypot(motion.x_m, motion.y_m) + metres_per_radian * std::abs(motion.theta_rad);
-}
-
 /// Between two nodes the path keeps the shape that the filter gave it, and the correction by the second is spread over
 /// the way there.
 Trajectory corrected(const Trajectory& path, const std::vector<Node>& nodes, const std::vector<Pose2>& poses) {
     Trajectory result = path;
     std::vector<double> way(path.size(), 0.0);
     for (std::size_t scan = 1; scan < path.size(); ++scan) {
-        way[scan] = way[scan - 1] + motion_of(path[scan - 1].pose, path[scan].pose);
+        way[scan] = way[scan - 1] + way_for_scans_m(between(path[scan - 1].pose, path[scan].pose));
     }
     std::size_t node = 0;
     for (std::size_t scan = 0; scan < path.size(); ++scan) {

@@ -90,13 +90,15 @@ double share_of(std::size_t part, std::size_t whole) {
     return whole == 0 ? 0.0 : static_cast<double>(part) / static_cast<double>(whole);
 }
 
+Cell cell_under(const OccupancyGrid& grid, const Point2& point) {
+    const double cell_m = grid.cell_size_m();
+    return {static_cast<int>(std::floor(point.x_m / cell_m)), static_cast<int>(std::floor(point.y_m / cell_m))};
+}
+
 /// The share of the way of one stretch that leads over ground which the other one saw free.
 double free_share(const StretchMap& from, const OccupancyGrid& in, const Pose2& in_from_other) {
-    const double cell_m = in.cell_size_m();
     const auto is_free = [&](const Point2& place) {
-        const Point2 at = in_from_other * place;
-        const std::int8_t odds =
-            in.log_odds({static_cast<int>(std::floor(at.x_m / cell_m)), static_cast<int>(std::floor(at.y_m / cell_m))});
+        const std::int8_t odds = in.log_odds(cell_under(in, in_from_other * place));
         return odds != Patch::unknown && odds < 0;
     };
     return share_of(static_cast<std::size_t>(std::count_if(from.way.begin(), from.way.end(), is_free)),
@@ -130,7 +132,7 @@ Overlap overlap(const StretchMap& from, const OccupancyGrid& in, const Pose2& in
     std::size_t agreed = 0;
     for (std::size_t i = 0; i < from.points.size(); ++i) {
         const Point2 at = in_from_other * Point2{double{from.points.x_m[i]}, double{from.points.y_m[i]}};
-        const Cell cell{static_cast<int>(std::floor(at.x_m / cell_m)), static_cast<int>(std::floor(at.y_m / cell_m))};
+        const Cell cell = cell_under(in, at);
         const NearestPoint nearest = in.nearest(cell);
         const bool near =
             !nearest.none() && cell_m * std::hypot(nearest.x, nearest.y) <= on_wall_m * NearestPoint::units_per_cell;
