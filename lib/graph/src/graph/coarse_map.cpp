@@ -71,14 +71,10 @@ std::vector<Point2> points_of_each_direction(const ScanPoints& points, std::size
     }
     std::array<std::size_t, directions> taken{};
     std::size_t left = std::min(count, points.size());
-    for (bool any = true; any && left > 0;) {
-        any = false;
-        for (std::size_t bin = 0; bin < directions && left > 0; ++bin) {
-            if (taken[bin] < of_direction[bin].size()) {
-                ++taken[bin];
-                --left;
-                any = true;
-            }
+    for (std::size_t bin = 0; left > 0; bin = (bin + 1) % directions) {
+        if (taken[bin] < of_direction[bin].size()) {
+            ++taken[bin];
+            --left;
         }
     }
     std::vector<Point2> result;

@@ -33,7 +33,9 @@ struct PathSteps {
 /// step is no motion of the robot. It contradicts the odometry, and the map of the last metres does not bear it out:
 /// the scan fits the map nearly as well where the odometry says, or much less than scans usually do, or better
 /// somewhere else. The step's information is then lowered along the contradiction d, so that its covariance grows by d
-/// d'. \param path world_from_robot at each node
+/// d'.
+///
+/// \param path world_from_robot at each node
 PathSteps path_steps(const std::vector<Node>& nodes, const std::vector<Pose2>& path, const RbpfSettings& settings);
 
 }  // namespace ddtool::graph
